@@ -1,0 +1,69 @@
+// The second witness: is this route what the scenario asked for? It knows nothing of World, spaces or planners.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "alate/core/route.hpp"
+#include "alate/data/site.hpp"
+
+namespace alate {
+
+/// One broken rule on one leg. `leg` is the index of the state that ends it; 0 is the start.
+struct Violation {
+  std::string rule;
+  std::size_t leg = 0;
+  Vec3 where;
+  double value = 0;
+  double limit = 0;
+  std::string unit;
+};
+
+/// How far the route stays from breaking a rule, at its worst place; negative: broken.
+struct Margin {
+  std::string rule;
+  double margin = 0;
+  std::string unit;
+  std::size_t leg = 0;
+  Vec3 where;
+};
+
+/// A rule that could not be judged. `unknown` says that data were given but do not reach (voids).
+struct NotChecked {
+  std::string rule;
+  std::string why;
+  bool unknown = false;
+};
+
+enum class Status { pass, fail, unknown };
+
+const char* to_string(Status status);
+
+struct Verdict {
+  Status status = Status::pass;
+  std::vector<Violation> violations;
+  std::vector<Margin> margins;  ///< One per judged rule, in the order of the contracts.
+  std::vector<NotChecked> not_checked;
+
+  bool ok() const { return status == Status::pass; }
+};
+
+/// Sizes of a route, whether it is allowed or not.
+struct Metrics {
+  double cost = 0;  ///< By the scenario's objective.
+  double length_m = 0;
+  double climb_m = 0;
+  double descent_m = 0;
+  double threat = 0;                      ///< Exposure: metres in the physical model, sum over nodes in konatowski2019.
+  std::optional<double> min_clearance_m;  ///< Nothing without ground, or where it is unknown.
+};
+
+/// Computes cost and sizes from the scenario's own data. An empty route measures zero.
+Metrics measure(const Site& site, const Route& route);
+
+/// Judges every leg by every rule for which data were given.
+Verdict check(const Site& site, const Route& route);
+
+}  // namespace alate

@@ -1,0 +1,160 @@
+// What was asked: plain data in the units of the file, comparable, written back as it was read.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "alate/core/frame.hpp"
+
+namespace alate {
+
+struct FrameSpec {
+  std::string crs = "auto";  ///< "auto": UTM zone of the midpoint of start and goal.
+  std::optional<GeoPoint> origin;
+  bool local = false;
+
+  bool operator==(const FrameSpec&) const = default;
+};
+
+/// One Gaussian hill, h exp(-((x-cx)/sx)^2 - ((y-cy)/sy)^2) (Mai et al. 2023, eq. 1).
+struct PeakSpec {
+  std::array<double, 2> center_m{};
+  double height_m = 0;
+  std::array<double, 2> slope_m{};
+
+  bool operator==(const PeakSpec&) const = default;
+};
+
+enum class PeakCombination { sum, max };
+
+struct TerrainSpec {
+  std::string dem;  ///< Raster file, already resolved against the scenario's folder; empty if peaks are given.
+  std::vector<PeakSpec> peaks;
+  PeakCombination combine = PeakCombination::sum;
+  std::optional<std::array<double, 2>> extent_m;  ///< Of the peaks: [0, w] x [0, h].
+  double clearance_m = 0;                         ///< Least height of a leg above ground.
+  std::optional<double> ceiling_agl_m;
+  std::optional<double> ceiling_amsl_m;
+
+  bool operator==(const TerrainSpec&) const = default;
+};
+
+/// A place given in the frame (`position_m`) or in WGS 84 with a height above sea level or ground.
+struct PlaceSpec {
+  std::optional<std::array<double, 3>> position_m;
+  std::optional<double> lat_deg;
+  std::optional<double> lon_deg;
+  std::optional<double> amsl_m;
+  std::optional<double> agl_m;
+
+  bool operator==(const PlaceSpec&) const = default;
+};
+
+struct StartSpec {
+  PlaceSpec place;
+  std::optional<double> heading_deg;  ///< Clockwise from grid north; none: towards the goal.
+
+  bool operator==(const StartSpec&) const = default;
+};
+
+struct GoalSpec {
+  PlaceSpec place;
+  double tolerance_m = 0;
+
+  bool operator==(const GoalSpec&) const = default;
+};
+
+/// Limits of the aircraft. What is not given is not checked.
+struct VehicleSpec {
+  std::optional<double> speed_mps;
+  std::optional<double> turn_radius_m;
+  std::optional<double> climb_deg;
+  std::optional<double> descent_deg;
+  std::optional<double> range_m;
+  std::optional<double> step_m;  ///< Length of one move on the attitude lattice.
+  std::vector<double> roll_deg;  ///< Rotations per move; right wing down, nose up, nose right are positive.
+  std::vector<double> pitch_deg;
+  std::vector<double> yaw_deg;
+
+  bool operator==(const VehicleSpec&) const = default;
+};
+
+struct CylinderSpec {
+  std::optional<std::array<double, 2>> center_m;
+  std::optional<double> lat_deg;
+  std::optional<double> lon_deg;
+  double floor_m = 0;  ///< Above mean sea level.
+  double top_m = 0;
+
+  bool operator==(const CylinderSpec&) const = default;
+};
+
+/// A sphere, or an upright cylinder, that should be avoided (radius) or must not be entered (core).
+struct ThreatSpec {
+  std::string name;
+  std::optional<std::array<double, 3>> center_m;
+  std::optional<double> lat_deg;
+  std::optional<double> lon_deg;
+  std::optional<double> amsl_m;
+  std::optional<double> agl_m;
+  std::optional<CylinderSpec> cylinder;
+  double radius_m = 0;
+  double level = 1;
+  double core_m = 0;
+
+  bool operator==(const ThreatSpec&) const = default;
+};
+
+enum class CostModel {
+  physical,        ///< metres: length*L + threat*integral + climb*ascent
+  konatowski2019,  ///< sum over nodes of fuel*distance-to-goal + threat*sum(level*(r-d)+)
+};
+
+struct ObjectiveSpec {
+  CostModel model = CostModel::physical;
+  double length = 1;
+  double threat = 20;  ///< Weight of exposure in either model (0.5 by default under konatowski2019).
+  double climb = 2;
+  double fuel = 0.5;  ///< konatowski2019 only; fuel + threat = 1.
+
+  bool operator==(const ObjectiveSpec&) const = default;
+};
+
+/// Planner as named in the file; parameter values stay text until the planner's ParamTable reads them.
+struct PlannerSpec {
+  std::string name;
+  std::string preset;
+  std::map<std::string, std::string> parameters;
+
+  bool operator==(const PlannerSpec&) const = default;
+};
+
+/// Where a field stood in the text, for faults found after reading.
+struct Mark {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+struct Scenario {
+  FrameSpec frame;
+  std::optional<TerrainSpec> terrain;
+  StartSpec start;
+  GoalSpec goal;
+  VehicleSpec vehicle;
+  std::vector<ThreatSpec> threats;
+  ObjectiveSpec objective;
+  std::optional<PlannerSpec> planner;
+
+  std::string file;                    ///< As the user named it; "-" for standard input. Not compared.
+  std::vector<std::string> overrides;  ///< `key.path=VALUE` as given, in order. Not compared.
+  std::map<std::string, Mark> marks;   ///< Dotted path -> place in the text. Not compared.
+
+  /// Compares what was asked, not where it stood.
+  bool operator==(const Scenario& other) const;
+};
+
+}  // namespace alate

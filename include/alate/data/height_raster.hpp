@@ -1,0 +1,71 @@
+// Ground heights as posts on a grid, and the way from frame metres to post coordinates.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "alate/core/fault.hpp"
+#include "alate/core/frame.hpp"
+#include "alate/core/geometry.hpp"
+
+namespace alate {
+
+/// Frame metres -> post coordinates (column, row), where (0, 0) is the first post and whole numbers are posts.
+/// A raster in the frame's own CRS is mapped by its exact affine. Any other is mapped by a lattice of exactly
+/// projected knots with bilinear interpolation between them, its spacing chosen so that the error stays below
+/// 0.001 post (checked at the middle of every lattice cell when it is built).
+class PostMap {
+ public:
+  /// Row-major 2x3 affine: column = a[0] + a[1] x + a[2] y, row = a[3] + a[4] x + a[5] y.
+  static PostMap affine(const std::array<double, 6>& coefficients);
+  /// `knots` are post coordinates at `area.min + (i, j) * spacing_m`, row-major with i fastest.
+  static PostMap lattice(const Box2& area, double spacing_m, int columns, std::vector<Vec2> knots);
+
+  Vec2 operator()(const Vec2& xy) const;
+
+  /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
+  /// 0.001 post; longer legs are to be cut. Infinite for an affine map.
+  double straight_length_m() const { return straight_length_m_; }
+
+ private:
+  std::array<double, 6> affine_{};
+  Box2 area_{};
+  double spacing_m_ = 0;
+  int columns_ = 0;
+  std::vector<Vec2> knots_;  ///< Empty for an affine map.
+  double straight_length_m_ = 0;
+};
+
+/// The ground between four posts is bilinear. A cell with a void post is unknown ground, never zero.
+struct HeightRaster {
+  int columns = 0;
+  int rows = 0;
+  std::vector<float> posts;  ///< Row-major, metres above `datum`; NaN where the source has no data.
+  PostMap map;
+  Box2 area;          ///< Frame rectangle around all posts.
+  double cell_m = 0;  ///< Mean distance between neighbouring posts in the frame.
+  std::string name;   ///< File name without folder.
+  std::string crs;    ///< As the source names it.
+  std::string datum;  ///< Vertical datum, "EGM96 mean sea level", or "not stated".
+  std::size_t voids = 0;
+
+  float post(int column, int row) const {
+    return posts[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+  }
+  /// Are these post coordinates within the outermost posts?
+  bool covers(const Vec2& post_xy) const {
+    return post_xy.x() >= 0 && post_xy.y() >= 0 && post_xy.x() <= columns - 1 && post_xy.y() <= rows - 1;
+  }
+  /// Bilinear height at frame position `xy`: nothing outside the posts, NaN on unknown ground.
+  std::optional<double> height(const Vec2& xy) const;
+};
+
+/// Reads band 1 of a raster file in any CRS. Faults go to `faults` (field `terrain.dem`) and nothing is
+/// returned: missing, empty, truncated, no CRS, more than the limit of cells, a /vsi path, unknown driver.
+/// In a local frame, or with a frame CRS equal to the raster's, posts are mapped exactly.
+std::optional<HeightRaster> read_height_raster(const std::string& file, const Frame& frame, std::vector<Fault>& faults);
+
+}  // namespace alate

@@ -1,0 +1,68 @@
+// The one wall with many rooms behind it: what a planner gets, what it gives back, and the planner as a value.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "alate/core/route.hpp"
+#include "alate/core/run_context.hpp"
+#include "alate/world/world.hpp"
+
+namespace alate {
+
+enum class Outcome { optimal, feasible, infeasible_proven, none_found };
+
+const char* to_string(Outcome outcome);
+
+/// Borrowed view of what is to be solved.
+struct Problem {
+  const World& world;
+  const Vehicle& vehicle;
+  const Mission& mission;
+  const ObjectiveSpec& objective;
+
+  explicit Problem(const World& w)
+      : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
+};
+
+/// What came out.
+struct Plan {
+  Outcome outcome = Outcome::none_found;
+  Stop stop = Stop::finished;
+  Route route;             ///< Empty unless optimal or feasible.
+  double cost = 0;         ///< As the planner sums it; what counts is `measure`. Meaningless without a route.
+  double lower_bound = 0;  ///< No route of this problem costs less. Always valid, 0 if nothing better is known.
+  std::uint64_t seed = 0;
+  bool reproducible = true;                       ///< False after a deadline or a cancel.
+  std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
+  std::string why;                                ///< Without a route: what stands in the way, and where.
+};
+
+/// Copyable value over any type with `Plan plan(const Problem&, RunContext&) const`.
+class Planner {
+ public:
+  template <class T>
+  explicit Planner(T planner) : self_(std::make_shared<const Model<T>>(std::move(planner))) {}
+
+  /// Never throws for an unsolvable problem; stops within milliseconds when `run` says so. The same problem,
+  /// parameters, seed and iterations give the same plan to the last bit at any number of threads.
+  Plan plan(const Problem& problem, RunContext& run) const { return self_->plan(problem, run); }
+
+ private:
+  struct Concept {
+    virtual ~Concept() = default;
+    virtual Plan plan(const Problem& problem, RunContext& run) const = 0;
+  };
+  template <class T>
+  struct Model final : Concept {
+    explicit Model(T planner) : planner_(std::move(planner)) {}
+    Plan plan(const Problem& problem, RunContext& run) const override { return planner_.plan(problem, run); }
+    T planner_;
+  };
+  std::shared_ptr<const Concept> self_;
+};
+
+}  // namespace alate
