@@ -1,13 +1,22 @@
-// Sizes beyond which an input is refused. docs/limits.md lists them.
+// Limits of what is read from outside, in one place. Beyond a limit there is a fault that names it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
-namespace alate::limits {
+namespace alate {
 
-inline constexpr std::int64_t kRasterCells = 150'000'000;
-/// Heights outside these are no ground on Earth but voids that nobody marked as such.
+inline constexpr std::size_t kMaxScenarioBytes = 1'048'576;  ///< 1 MiB of YAML.
+inline constexpr std::size_t kMaxNesting = 32;               ///< Groups and lists within each other.
+inline constexpr std::size_t kMaxListItems = 10'000;         ///< Threats; peaks.
+inline constexpr std::size_t kMaxAngles = 100;               ///< Angles in one list.
+inline constexpr std::size_t kMaxAttitudeMoves = 10'000;     ///< Rolls times pitches times yaws.
+inline constexpr double kMaxMagnitude = 1e9;                 ///< Of any number in a scenario.
+inline constexpr std::size_t kMaxFaults = 100;               ///< Shown one by one; the rest are counted.
+
+inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
+/// Raster heights outside these are no ground on Earth but voids that nobody marked as such.
 inline constexpr double kLowestGround_m = -12'000;
 inline constexpr double kHighestGround_m = 9'000;
 
-}  // namespace alate::limits
+}  // namespace alate

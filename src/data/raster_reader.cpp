@@ -47,9 +47,9 @@ std::optional<double> metres_per_unit(const std::string& unit, const OGRSpatialR
 
 void judge_shape(GDALDataset& dataset, Complaints& complaints) {
   const auto cells = std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize();
-  if (cells > limits::kRasterCells)
+  if (cells > kMaxRasterCells)
     complaints.add(fmt::format("has {} cells, too many to hold", cells),
-                   fmt::format("{} cells at most", limits::kRasterCells));
+                   fmt::format("{} cells at most", kMaxRasterCells));
   if (dataset.GetRasterXSize() < 2 || dataset.GetRasterYSize() < 2)
     complaints.add(fmt::format("has {} x {} posts", dataset.GetRasterXSize(), dataset.GetRasterYSize()),
                    "2 x 2 posts at least");
@@ -120,8 +120,7 @@ std::size_t clean(std::vector<float>& posts, GDALRasterBand& band, double to_met
   std::size_t voids = 0;
   for (float& post : posts) {
     const double height = double{post} * scale + offset;
-    const bool known = !(has_no_data != 0 && post == marker) && height >= limits::kLowestGround_m &&
-                       height <= limits::kHighestGround_m;
+    const bool known = !(has_no_data != 0 && post == marker) && height >= kLowestGround_m && height <= kHighestGround_m;
     post = known ? static_cast<float>(height) : std::numeric_limits<float>::quiet_NaN();
     if (!known) ++voids;
   }
