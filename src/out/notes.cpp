@@ -28,16 +28,16 @@ std::string judgement(const Verdict& verdict) {
   }
   switch (verdict.status) {
     case Status::pass:
-      return fmt::format("it keeps all {} rules that were judged", verdict.margins.size());
+      return fmt::format(" that keeps all {} rules that were judged", verdict.margins.size());
     case Status::fail:
-      return fmt::format("but it must not be flown: it breaks {}", fmt::join(names, ", "));
+      return fmt::format(", but it must not be flown: it breaks {}", fmt::join(names, ", "));
     case Status::unknown:
       break;
   }
   for (const NotChecked& rule : verdict.not_checked) {
     if (rule.unknown) names.push_back(rule.rule);
   }
-  return fmt::format("but the data do not reach far enough to judge {}", fmt::join(names, ", "));
+  return fmt::format(", but the data do not reach far enough to judge {}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -97,8 +97,8 @@ std::string gap_in_words(const Result& result) {
 std::string summary(const Result& result) {
   if (result.plan.route.empty()) return no_route(result.plan);
   std::string text =
-      fmt::format("A route of {:.1f} km was found; {}.", result.metrics.length_m / 1000, judgement(result.verdict));
-  if (gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
+      fmt::format("A route of {:.1f} km was found{}.", result.metrics.length_m / 1000, judgement(result.verdict));
+  if (result.verdict.ok() && gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
   return text;
 }
 

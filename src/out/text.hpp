@@ -1,6 +1,7 @@
 // Text that is safe inside other formats.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,6 @@ std::string xml_escape(std::string_view text);
 /// Shortest decimal that reads back as the same number; empty for nothing and for numbers that are not finite.
 std::string round_trip(const std::optional<double>& number);
 
-std::string base64(std::span<const unsigned char> bytes);
+std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace alate
