@@ -35,8 +35,8 @@ Group group(std::optional<Struct>& value) {
 }
 
 template <class Struct>
-Groups groups(std::vector<Struct>& values) {
-  return {.count = values.size(), .at = [&values](std::size_t index) {
+Groups groups(std::vector<Struct>& values, std::size_t least = 0) {
+  return {.count = values.size(), .least = least, .at = [&values](std::size_t index) {
             if (values.size() <= index) values.resize(index + 1);
             return describe(values[index]);
           }};
@@ -63,7 +63,7 @@ Description describe(TerrainSpec& terrain) {
   return {.fields = {{"dem", "", "Raster of ground heights above mean sea level, in any CRS; relative to this file.",
                       text(terrain.dem, Text::Use::path)},
                      {"peaks", "", "Ground made of Gaussian hills, in a frame with an origin or a local one.",
-                      groups(terrain.peaks)},
+                      groups(terrain.peaks, 1)},
                      {"combine", "", "How peaks are laid over each other.", choice(terrain.combine, {"sum", "max"}),
                       false, !terrain.peaks.empty()},
                      {"extent_m", "m", "Width and height of the ground made of peaks, from (0, 0).",
