@@ -18,9 +18,10 @@ class Writer {
  public:
   explicit Writer(Comments comments) : commented_(comments == Comments::all) {}
 
-  std::string write(const Description& description) {
+  /// `gap` comes before every field.
+  std::string write(const Description& description, const char* gap = "") {
     std::string text;
-    for (const Field& field : description.fields) text += write(field);
+    for (const Field& field : description.fields) text.append(gap).append(write(field));
     return text;
   }
 
@@ -30,7 +31,7 @@ class Writer {
         field.written ? std::visit([&](const auto& slot) { return value_of(slot); }, field.slot) : "";
     if (!commented_) return value.empty() ? "" : fmt::format("{}:{}\n", field.key, value);
     const std::string help = field.unit.empty() ? field.help : fmt::format("{} ({})", field.help, field.unit);
-    if (value.starts_with('\n')) return fmt::format("\n# {}\n{}:{}\n", help, field.key, value);
+    if (value.starts_with('\n')) return fmt::format("# {}\n{}:{}\n", help, field.key, value);
     if (!value.empty()) return fmt::format("{}:{}  # {}\n", field.key, value, help);
     return fmt::format("# {}:{}  # {}\n", field.key, keys_of(field.slot), help);
   }
@@ -86,7 +87,9 @@ class Writer {
 
 }  // namespace
 
-std::string write_scenario(Scenario scenario, Comments comments) { return Writer(comments).write(describe(scenario)); }
+std::string write_scenario(Scenario scenario, Comments comments) {
+  return Writer(comments).write(describe(scenario), comments == Comments::all ? "\n" : "");
+}
 
 std::string to_yaml(const Scenario& scenario) { return write_scenario(scenario, Comments::none); }
 
