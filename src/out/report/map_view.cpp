@@ -89,6 +89,16 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
   for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
 }
 
+/// A cross at every place where a rule is broken.
+void draw_violations(Svg& svg, const MapFrame& map, const Verdict& verdict) {
+  for (const Violation& violation : verdict.violations) {
+    if (!violation.where.allFinite()) continue;
+    const Vec2 at = map(violation.where);
+    svg.line(at - Vec2{7, 7}, at + Vec2{7, 7}, "broken");
+    svg.line(at - Vec2{7, -7}, at + Vec2{7, -7}, "broken");
+  }
+}
+
 /// `above` or below the place, never beyond the sides of the drawing.
 void draw_end_label(Svg& svg, const Vec2& at, bool above, std::string_view name) {
   constexpr double kHalfWord = 45;
@@ -196,6 +206,8 @@ std::string legend(const Shown& shown) {
     items += key("s-core", "Core: must not be entered");
   if (!shown.ground.bands.empty()) items += height_key(shown.ground);
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
+  if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
+    items += key("s-broken", "Place where a rule is broken");
   if (const auto outside = threats_outside(shown); outside > 0)
     items += fmt::format("<li>{} {} outside this map</li>\n", outside, outside == 1 ? "threat lies" : "threats lie");
   return fmt::format("<ul class=\"key\">\n{}</ul>\n", items);
@@ -232,6 +244,7 @@ std::string map_figure(const Result& result) {
   draw_threats(svg, map, site);
   const bool barred = draw_direct_line(svg, map, site);
   draw_route(svg, map, route);
+  if (!route.empty()) draw_violations(svg, map, result.verdict);
   draw_ends(svg, map, site.mission);
   draw_threat_names(svg, map, site);
   draw_scale_and_north(svg, map, result);
