@@ -22,10 +22,17 @@ namespace {
 constexpr double kWidth = 1000;
 constexpr int kPictureColumns = 800;
 
-/// May the straight flight from start to goal not pass here: too low over the ground, or inside a core?
-bool is_barred(const Site& site, const Vec3& at) {
+bool leaves_band(const Site& site, const Vec3& at) {
+  const Band& band = site.band;
+  if (band.ceiling_amsl_m && at.z() > *band.ceiling_amsl_m) return true;
+  if (!site.has_ground()) return false;
   const auto above = height_above_ground(site, at);
-  if (above && *above < site.band.clearance_m) return true;
+  return !above || *above < band.clearance_m || (band.ceiling_agl_m && *above > *band.ceiling_agl_m);
+}
+
+/// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core?
+bool is_barred(const Site& site, const Vec3& at) {
+  if (leaves_band(site, at)) return true;
   return std::ranges::any_of(site.threats, [&](const Threat& threat) {
     const bool sphere = threat.shape == Threat::Shape::sphere;
     const double distance = sphere ? (at - threat.center).norm() : (at - threat.center).head<2>().norm();
@@ -102,22 +109,24 @@ void draw_violations(Svg& svg, const MapFrame& map, const Verdict& verdict) {
 /// `above` or below the place, never beyond the sides of the drawing.
 void draw_end_label(Svg& svg, const Vec2& at, bool above, std::string_view name) {
   constexpr double kHalfWord = 45;
+  constexpr double kLine = 28;
   const double x = std::clamp(at.x(), kHalfWord, svg.width() - kHalfWord);
-  svg.text({x, at.y() + (above ? -18 : 34)}, name, "label", Anchor::middle);
+  const double y = std::clamp(at.y() + (above ? -18 : 34), kLine, svg.height() - kLine / 2);
+  svg.text({x, y}, name, "label", Anchor::middle);
 }
 
 void draw_ends(Svg& svg, const MapFrame& map, const Mission& mission) {
   const Vec2 start = map(mission.start);
   const Vec2 goal = map(mission.goal);
-  svg.circle(goal, mission.tolerance_m * map.units_per_metre(), "tolerance",
-             fmt::format("arrival within {:.0f} m", mission.tolerance_m));
+  const double ring = mission.tolerance_m * map.units_per_metre();
+  svg.circle(goal, ring, "tolerance", fmt::format("arrival within {:.0f} m", mission.tolerance_m));
   svg.circle(start, 8, "end");
   svg.circle(start, 4, "dot");
   svg.rect(goal - Vec2{7, 7}, {14, 14}, "end");
   svg.rect(goal - Vec2{3.5, 3.5}, {7, 7}, "dot");
   const bool start_is_upper = start.y() <= goal.y();
   draw_end_label(svg, start, start_is_upper, "Start");
-  draw_end_label(svg, goal, !start_is_upper, "Goal");
+  draw_end_label(svg, goal + Vec2{0, start_is_upper ? ring : -ring}, !start_is_upper, "Goal");
 }
 
 /// The corner plate that carries scale bar and north arrow lies where least is drawn.
@@ -200,7 +209,7 @@ std::string legend(const Shown& shown) {
   std::string items;
   if (!shown.result.plan.route.empty()) items += key("s-route", "Route");
   items += key("s-direct", "Straight line");
-  if (shown.barred) items += key("s-barred", "Straight line barred by ground or a core");
+  if (shown.barred) items += key("s-barred", "Straight line where it is not allowed");
   if (!site.threats.empty()) items += key("s-threat", "Threat: flying inside costs");
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
@@ -217,7 +226,7 @@ std::string legend(const Shown& shown) {
 std::string caption(const Shown& shown) {
   const Result& result = shown.result;
   if (result.plan.route.empty() || !result.verdict.ok()) return {};
-  std::string text = shown.barred ? "The straight line is barred; the route goes round" : "The route";
+  std::string text = shown.barred ? "The straight line is not allowed; the route goes round" : "The route";
   if (const auto& lowest = result.metrics.min_clearance_m)
     text += fmt::format("{} stays {} or more above the ground", shown.barred ? " and" : "", quantity(*lowest, "m"));
   const auto core = std::ranges::find(result.verdict.margins, "threat_core", &Margin::rule);
