@@ -1,8 +1,10 @@
 // Ground heights as posts on a grid, and the way from frame metres to post coordinates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +17,9 @@ namespace alate {
 
 /// Frame metres -> post coordinates (column, row), where (0, 0) is the first post and whole numbers are posts.
 /// A raster in the frame's own CRS is mapped by its exact affine. Any other is mapped by a lattice of exactly
-/// projected knots with bilinear interpolation between them, its spacing chosen so that the error stays below
-/// 0.001 post (checked at the middle of every lattice cell when it is built).
+/// projected knots: squares cut into two triangles by the diagonal from low x, y to high x, y, the map being affine
+/// in each. Its spacing is chosen so that the error stays below 0.001 post (checked at the middle of every square
+/// and of every side when it is built). So a straight leg maps to straight pieces, cut where it changes triangle.
 class PostMap {
  public:
   /// Row-major 2x3 affine: column = a[0] + a[1] x + a[2] y, row = a[3] + a[4] x + a[5] y.
@@ -24,17 +27,54 @@ class PostMap {
   /// `knots` are post coordinates at `area.min + (i, j) * spacing_m`, row-major with i fastest.
   static PostMap lattice(const Box2& area, double spacing_m, int columns, std::vector<Vec2> knots);
 
-  Vec2 operator()(const Vec2& xy) const;
+  /// NaN outside the area of a lattice.
+  Vec2 operator()(const Vec2& xy) const {
+    if (knots_.empty()) return through_affine(xy);
+    return area_.contains(xy) ? interpolate(triangle_at(xy)) : Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The leg from `a` to `b` maps to a straight line from parameter `t` in [0, 1) to the one returned, which is
+  /// greater than t; 1 at the end. Cutting a leg there makes every piece exactly straight.
+  double straight_until(const Vec2& a, const Vec2& b, double t) const {
+    if (knots_.empty() || (t == 0 && triangle_at(a).same_as(triangle_at(b)))) return 1;
+    return next_bend(a, b, t);
+  }
 
   /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
-  /// 0.001 post; longer legs are to be cut. Infinite for an affine map.
+  /// 0.001 post. Infinite for an affine map.
   double straight_length_m() const { return straight_length_m_; }
 
  private:
+  /// A place in a triangle of the lattice: square (i, j), and within it u right and v up, in [0, 1].
+  struct Place {
+    int i, j;
+    double u, v;
+    bool below_diagonal() const { return u >= v; }
+    bool same_as(const Place& p) const { return i == p.i && j == p.j && below_diagonal() == p.below_diagonal(); }
+  };
+
+  Vec2 through_affine(const Vec2& p) const {
+    return {affine_[0] + affine_[1] * p.x() + affine_[2] * p.y(), affine_[3] + affine_[4] * p.x() + affine_[5] * p.y()};
+  }
+  Place triangle_at(const Vec2& xy) const {
+    const Vec2 at = (xy - area_.min) * per_spacing_;
+    const int i = std::min(static_cast<int>(at.x()), columns_ - 2);
+    const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
+    return {i, j, at.x() - i, at.y() - j};
+  }
+  Vec2 interpolate(const Place& p) const {
+    const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(p.j) * columns_ + p.i;
+    const Vec2* high = low + columns_;
+    if (p.below_diagonal()) return low[0] + p.u * (low[1] - low[0]) + p.v * (high[1] - low[1]);
+    return low[0] + p.v * (high[0] - low[0]) + p.u * (high[1] - high[0]);
+  }
+  double next_bend(const Vec2& a, const Vec2& b, double t) const;
+
   std::array<double, 6> affine_{};
   Box2 area_{};
-  double spacing_m_ = 0;
+  double per_spacing_ = 0;
   int columns_ = 0;
+  int rows_ = 0;
   std::vector<Vec2> knots_;  ///< Empty for an affine map.
   double straight_length_m_ = 0;
 };
@@ -49,7 +89,7 @@ struct HeightRaster {
   double cell_m = 0;  ///< Mean distance between neighbouring posts in the frame.
   std::string name;   ///< File name without folder.
   std::string crs;    ///< As the source names it.
-  std::string datum;  ///< Vertical datum, "EGM96 mean sea level", or "not stated".
+  std::string datum;  ///< Vertical datum: "EGM96 height", or "not stated (taken as mean sea level)".
   std::size_t voids = 0;
 
   float post(int column, int row) const {
@@ -64,7 +104,9 @@ struct HeightRaster {
 };
 
 /// Reads band 1 of a raster file in any CRS. Faults go to `faults` (field `terrain.dem`) and nothing is
-/// returned: missing, empty, truncated, no CRS, more than the limit of cells, a /vsi path, unknown driver.
+/// returned: missing, empty, truncated, no CRS, more than the limit of cells, a /vsi path other than /vsizip,
+/// unknown driver, no geotransform, heights that are complex, in no unit of length or above the ellipsoid.
+/// Heights in feet are brought to metres. Posts that no ground on Earth has (below -12 000 m) are voids.
 /// In a local frame, or with a frame CRS equal to the raster's, posts are mapped exactly.
 std::optional<HeightRaster> read_height_raster(const std::string& file, const Frame& frame, std::vector<Fault>& faults);
 
