@@ -114,6 +114,7 @@ ParamValues ParamTable::resolve(const std::map<std::string, ParamValue>& preset,
     const Parameter* parameter = find(setting.name);
     if (parameter == nullptr) {
       std::vector<std::string> names;
+      names.reserve(parameters_.size());
       for (const Parameter& known : parameters_) names.push_back(known.name);
       const std::string near = nearest(setting.name, names);
       faults.push_back(fault_at(setting, "unknown parameter" + (near.empty() ? "" : "; did you mean " + near + "?")));
