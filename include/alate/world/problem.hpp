@@ -1,0 +1,42 @@
+// What is to be solved, and what came out.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "alate/core/route.hpp"
+#include "alate/core/run_context.hpp"
+#include "alate/world/world.hpp"
+
+namespace alate {
+
+enum class Outcome { optimal, feasible, infeasible_proven, none_found };
+
+const char* to_string(Outcome outcome);
+
+/// Borrowed view of what is to be solved.
+struct Problem {
+  const World& world;
+  const Vehicle& vehicle;
+  const Mission& mission;
+  const ObjectiveSpec& objective;
+
+  explicit Problem(const World& w)
+      : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
+};
+
+/// What came out.
+struct Plan {
+  Outcome outcome = Outcome::none_found;
+  Stop stop = Stop::finished;
+  Route route;             ///< Empty unless optimal or feasible.
+  double cost = 0;         ///< As the planner sums it; what counts is `measure`. Meaningless without a route.
+  double lower_bound = 0;  ///< No route of this problem costs less. Always valid, 0 if nothing better is known.
+  std::uint64_t seed = 0;
+  bool reproducible = true;                       ///< False after a deadline or a cancel.
+  std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
+  std::string why;                                ///< Without a route: what stands in the way, and where.
+};
+
+}  // namespace alate

@@ -1,0 +1,69 @@
+// The house has floors: an include may only point downward (docs/architecture.md).
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::set<std::string>> kMayInclude{
+    {"core", {"core"}},
+    {"data", {"core", "data"}},
+    {"world", {"core", "data", "world"}},
+    {"space", {"core", "data", "world", "space"}},
+    {"search", {"core", "data", "world", "space", "search"}},
+    {"plan", {"core", "data", "world", "space", "search", "plan"}},
+    {"check", {"core", "data", "check"}},
+    {"out", {"core", "data", "world", "space", "search", "plan", "check", "out"}},
+};
+
+/// Module that an include line names: "alate/data/site.hpp" and "data/limits.hpp" are both `data`.
+std::string module_of(const std::string& include) {
+  static const std::regex kInclude(R"re(^\s*#include "(?:alate/)?(?:([a-z_]+)/)?[^"]*")re");
+  std::smatch match;
+  return std::regex_search(include, match, kInclude) ? match[1].str() : "";
+}
+
+void expect_downward(const fs::path& file, const std::string& module) {
+  std::ifstream text(file);
+  for (std::string line; std::getline(text, line);) {
+    const std::string included = module_of(line);
+    if (!kMayInclude.contains(included)) continue;
+    EXPECT_TRUE(kMayInclude.at(module).contains(included)) << file << " includes upward or sideways: " << line;
+  }
+}
+
+TEST(Layers, IncludesPointDownward) {
+  std::size_t files = 0;
+  for (const std::string root : {"src", "include/alate"}) {
+    for (const auto& [module, allowed] : kMayInclude) {
+      const fs::path folder = fs::path(ALATE_SOURCE_DIR) / root / module;
+      if (!fs::exists(folder)) continue;
+      for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file() || entry.path().extension() == ".txt") continue;
+        expect_downward(entry.path(), module);
+        ++files;
+      }
+    }
+  }
+  EXPECT_GT(files, 30U);
+}
+
+TEST(Layers, GdalStaysInData) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ALATE_SOURCE_DIR) / "src")) {
+    if (!entry.is_regular_file() || entry.path().parent_path().filename() == "data") continue;
+    std::ifstream text(entry.path());
+    for (std::string line; std::getline(text, line);) {
+      EXPECT_EQ(line.find("#include <gdal"), std::string::npos) << entry.path();
+      EXPECT_EQ(line.find("#include <ogr"), std::string::npos) << entry.path();
+    }
+  }
+}
+
+}  // namespace
