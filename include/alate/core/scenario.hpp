@@ -157,4 +157,8 @@ struct Scenario {
   bool operator==(const Scenario& other) const;
 };
 
+/// Where `field` (a dotted path) stands in the text, or the nearest group around it that has a mark; else the
+/// scenario's file without a line. For faults found after reading.
+Mark mark_of(const Scenario& scenario, const std::string& field);
+
 }  // namespace alate

@@ -1,0 +1,16 @@
+// Limits of what is read from outside, in one place. Beyond a limit there is a fault that names it.
+#pragma once
+
+#include <cstddef>
+
+namespace alate {
+
+inline constexpr std::size_t kMaxScenarioBytes = 1'048'576;  ///< 1 MiB of YAML.
+inline constexpr std::size_t kMaxNesting = 32;               ///< Groups and lists within each other.
+inline constexpr std::size_t kMaxListItems = 10'000;         ///< Threats; peaks.
+inline constexpr std::size_t kMaxAngles = 100;               ///< Angles in one list.
+inline constexpr std::size_t kMaxAttitudeMoves = 10'000;     ///< Rolls times pitches times yaws.
+inline constexpr double kMaxMagnitude = 1e9;                 ///< Of any number in a scenario.
+inline constexpr std::size_t kMaxFaults = 100;               ///< Shown one by one; the rest are counted.
+
+}  // namespace alate

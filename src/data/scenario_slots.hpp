@@ -1,0 +1,61 @@
+// Makes the slots of a description from members of a struct.
+#pragma once
+
+#include <algorithm>
+
+#include "data/scenario_fields.hpp"
+
+namespace alate {
+
+constexpr Range above(double min) { return {.min = min, .max = kMaxMagnitude, .open = true}; }
+constexpr Range at_least(double min) { return {.min = min, .max = kMaxMagnitude}; }
+constexpr Range from_to(double min, double max) { return {.min = min, .max = max}; }
+constexpr Range between(double min, double max) { return {.min = min, .max = max, .open = true}; }
+
+/// A double or an optional one.
+template <class Value>
+Number number(Value& value, Range range = {}) {
+  return {.value = value, .set = [&value](double given) { value = given; }, .range = range};
+}
+
+template <std::size_t N>
+Numbers numbers(std::array<double, N>& value, Range range = {}) {
+  return {.value = {value.begin(), value.end()},
+          .set = [&value](const std::vector<double>& given) { std::ranges::copy(given, value.begin()); },
+          .range = range,
+          .count = N};
+}
+
+template <std::size_t N>
+Numbers numbers(std::optional<std::array<double, N>>& value, Range range = {}) {
+  std::vector<double> present;
+  if (value) present.assign(value->begin(), value->end());
+  return {.value = std::move(present),
+          .set = [&value](const std::vector<double>& given) { std::ranges::copy(given, value.emplace().begin()); },
+          .range = range,
+          .count = N};
+}
+
+inline Numbers numbers(std::vector<double>& value, Range range) {
+  return {.value = value, .set = [&value](const std::vector<double>& given) { value = given; }, .range = range};
+}
+
+inline Text text(std::string& value, Text::Use use = Text::Use::word) {
+  return {.value = value.empty() ? std::nullopt : std::optional(value),
+          .set = [&value](std::string given) { value = std::move(given); },
+          .use = use};
+}
+
+inline Flag flag(bool& value) {
+  return {.value = value, .set = [&value](bool given) { value = given; }};
+}
+
+/// `words` in the order of the enumerators.
+template <class Enum>
+Choice choice(Enum& value, std::vector<std::string> words) {
+  return {.words = std::move(words), .value = static_cast<std::size_t>(value), .set = [&value](std::size_t given) {
+            value = static_cast<Enum>(given);
+          }};
+}
+
+}  // namespace alate

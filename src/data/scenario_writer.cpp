@@ -1,0 +1,82 @@
+#include "data/scenario_writer.hpp"
+
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "alate/data/scenario_file.hpp"
+#include "data/scenario_fields.hpp"
+
+namespace alate {
+
+namespace {
+
+/// JSON strings are YAML strings.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+class Writer {
+ public:
+  explicit Writer(Comments comments) : commented_(comments == Comments::all) {}
+
+  std::string write(const Description& description) {
+    std::string text;
+    for (const Field& field : description.fields) text += write(field);
+    return text;
+  }
+
+ private:
+  std::string write(const Field& field) {
+    const std::string value =
+        field.written ? std::visit([&](const auto& slot) { return value_of(slot); }, field.slot) : "";
+    if (!value.empty()) return fmt::format("{}{}:{}\n", comment(field), field.key, value);
+    return commented_ ? fmt::format("{}# {}:\n", comment(field), field.key) : "";
+  }
+
+  std::string comment(const Field& field) const {
+    if (!commented_) return "";
+    return field.unit.empty() ? fmt::format("# {}\n", field.help) : fmt::format("# {} ({})\n", field.help, field.unit);
+  }
+
+  // What follows "key:", numbers in the fewest digits that read back to the same; empty if there is nothing to write.
+  std::string value_of(const Text& slot) { return slot.value ? fmt::format(" {}", quoted(*slot.value)) : ""; }
+  std::string value_of(const Flag& slot) { return slot.value ? " true" : " false"; }
+  std::string value_of(const Number& slot) { return slot.value ? fmt::format(" {}", *slot.value) : ""; }
+  std::string value_of(const Numbers& slot) {
+    return slot.value.empty() ? "" : fmt::format(" [{}]", fmt::join(slot.value, ", "));
+  }
+  std::string value_of(const Choice& slot) { return fmt::format(" {}", slot.words[slot.value]); }
+  std::string value_of(const Group& slot) {
+    const std::string inner = slot.present ? write(slot.open()) : "";
+    return inner.empty() ? "" : fmt::format("\n{}", indented(inner, "  "));
+  }
+  std::string value_of(const Groups& slot) {
+    std::string items;
+    for (std::size_t i = 0; i < slot.count; ++i) items += fmt::format("\n{}", indented(write(slot.at(i)), "  - "));
+    return items;
+  }
+  std::string value_of(const Words& slot) {
+    std::string inner;
+    for (const auto& [key, value] : *slot.values) inner += fmt::format("\n  {}: {}", quoted(key), quoted(value));
+    return inner;
+  }
+
+  /// Indents every line, the first with `lead`; drops the last line end.
+  static std::string indented(const std::string& text, const std::string& lead) {
+    std::string result = lead;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+      result += text[i];
+      if (text[i] == '\n') result += std::string(lead.size(), ' ');
+    }
+    return result;
+  }
+
+  bool commented_;
+};
+
+}  // namespace
+
+std::string write_scenario(Scenario scenario, Comments comments) { return Writer(comments).write(describe(scenario)); }
+
+std::string to_yaml(const Scenario& scenario) { return write_scenario(scenario, Comments::none); }
+
+}  // namespace alate
