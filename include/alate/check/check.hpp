@@ -11,6 +11,9 @@
 
 namespace alate {
 
+/// The only slack of every rule: a margin down to minus this is rounding noise (metres, or degrees).
+inline constexpr double kRoundingNoise = 1e-6;
+
 /// One broken rule on one leg. `leg` is the index of the state that ends it; 0 is the start.
 struct Violation {
   std::string rule;
@@ -60,10 +63,13 @@ struct Metrics {
   std::optional<double> min_clearance_m;  ///< Nothing without ground, or where it is unknown.
 };
 
-/// Computes cost and sizes from the scenario's own data. An empty route measures zero.
+/// Computes cost and sizes from the scenario's own data, by closed forms on straight legs and to 1e-6 (relative)
+/// on arcs. An empty route measures zero, and so does one with positions that are not numbers.
 Metrics measure(const Site& site, const Route& route);
 
-/// Judges every leg by every rule for which data were given.
+/// Judges every leg, whole, by every rule for which data were given. Nothing is granted but kRoundingNoise.
+/// Positions that are not numbers, or no place on Earth, break `bounds`, and nothing else is judged then; a route
+/// without states breaks `arrival`. Values are finite: "no turn at all" has a radius of 1e9 m.
 Verdict check(const Site& site, const Route& route);
 
 }  // namespace alate

@@ -1,0 +1,44 @@
+// Every rule that a route is judged by, one function each. Names, order and meaning: docs of `check`.
+#pragma once
+
+#include "check/flight.hpp"
+#include "check/rule.hpp"
+
+namespace alate {
+
+/// Lowest height above ground of each leg, at least the band's clearance.
+RuleReport judge_terrain_clearance(const Flight& flight);
+
+/// Highest height of each leg, at most the ceilings above ground and above sea level; the worse of both.
+RuleReport judge_ceiling(const Flight& flight);
+
+/// Distance to the centre of a sphere, or to the axis of a cylinder between its floor and top, at least the core.
+/// For a leg wholly above or below a cylinder the value is the core plus the gap in height, if that is more.
+RuleReport judge_threat_core(const Flight& flight);
+
+/// Radius for which each turn has room: a change of heading theta between straight legs takes r tan(theta/2) of
+/// both, and a leg gives half of itself to each of its ends. Legs without planar length are passed over. The
+/// start's heading, if given, takes room of the first leg alone. An arc has its own radius and gives no room: a
+/// change of heading where it joins, or a gap there, counts as radius 0. Without any turn the radius is 1e9 m.
+RuleReport judge_turn(const Flight& flight);
+
+/// Angle of each leg to the horizontal.
+RuleReport judge_climb(const Flight& flight);
+RuleReport judge_descent(const Flight& flight);
+
+/// Replays the actions from the start's heading, F' = F Rx(roll) Ry(-pitch) Rz(-yaw), p' = p + step F' e_x with F =
+/// (forward, left, up) (Konatowski and Pawlowski 2019, eqs. 15-24, with the signs of alate's angles), and compares
+/// each leg with what its action gives. Every action must be one of the scenario's.
+RuleReport judge_step(const Flight& flight);
+
+/// Each leg inside the outermost posts, or the extent of the peaks; metres to the nearest edge. The area is convex,
+/// so the ends of the pieces suffice.
+RuleReport judge_bounds(const Flight& flight);
+
+/// The last state within the goal's tolerance, the first within 1 m of the start (reported only if it is not).
+RuleReport judge_arrival(const Flight& flight);
+
+/// Length of the route, at most the range.
+RuleReport judge_endurance(const Flight& flight);
+
+}  // namespace alate

@@ -1,0 +1,91 @@
+// The cells that a straight leg crosses, in order (Amanatides and Woo 1987), with jumps over whole blocks.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "alate/core/geometry.hpp"
+
+namespace alate {
+
+/// A leg straight in post coordinates, with its height along the way.
+struct PostLeg {
+  Vec2 from;
+  Vec2 to;
+  double z = 0;
+  double dz = 0;
+};
+
+/// Position (column, row) and parameter t in [0, 1] of a walk. The parameter at which a grid line is crossed is
+/// always computed from the line alone, so a jump arrives in the same cell, with the same bits, as single steps.
+struct CellWalk {
+  double x, y, dx, dy, z, dz;
+  double per_dx, per_dy;
+  int side_x, side_y;  ///< Of a cell, the side through which it is left: 0 low, 1 high; 2 if never.
+  int step_x, step_y;
+  int cell_columns, cell_rows;
+  int column, row;
+  double t = 0;
+
+  /// Where a block is left: through a column line or a row line, or not at all (t = 1).
+  struct Exit {
+    double t = 1;
+    bool through_column = false;
+    int next = 0;  ///< Column, or row, of the first cell behind.
+  };
+
+  /// Both ends lie within the posts.
+  CellWalk(const PostLeg& leg, int columns, int rows)
+      : x(leg.from.x()),
+        y(leg.from.y()),
+        dx(leg.to.x() - x),
+        dy(leg.to.y() - y),
+        z(leg.z),
+        dz(leg.dz),
+        per_dx(1 / dx),
+        per_dy(1 / dy),
+        side_x(side(dx)),
+        side_y(side(dy)),
+        step_x(dx > 0 ? 1 : -1),
+        step_y(dy > 0 ? 1 : -1),
+        cell_columns(columns),
+        cell_rows(rows),
+        column(std::min(static_cast<int>(x), columns - 1)),
+        row(std::min(static_cast<int>(y), rows - 1)) {
+    // A line two cells away in a direction without motion is reached at +infinity.
+    if (dx == 0) per_dx = std::numeric_limits<double>::infinity();
+    if (dy == 0) per_dy = std::numeric_limits<double>::infinity();
+  }
+
+  double height(double at) const { return z + dz * at; }
+
+  /// Exit of the block of 2^shift x 2^shift cells that holds the current cell.
+  Exit exit(int shift) const {
+    const int line_x = ((column >> shift) + side_x) << shift;
+    const int line_y = ((row >> shift) + side_y) << shift;
+    const double t_x = (line_x - x) * per_dx;
+    const double t_y = (line_y - y) * per_dy;
+    if (t_x <= t_y) return {std::min(t_x, 1.0), true, dx > 0 ? line_x : line_x - 1};
+    return {std::min(t_y, 1.0), false, dy > 0 ? line_y : line_y - 1};
+  }
+
+  /// Moves to the first cell behind `exit`; false at the end of the leg.
+  bool leave(const Exit& exit) {
+    if (exit.t >= 1) return false;
+    if (exit.through_column) {
+      while ((row + side_y - y) * per_dy < exit.t) row += step_y;
+      column = exit.next;
+    } else {
+      while ((column + side_x - x) * per_dx <= exit.t) column += step_x;
+      row = exit.next;
+    }
+    t = exit.t;
+    // Rounding may cross the last line a hair before the end.
+    return column >= 0 && row >= 0 && column < cell_columns && row < cell_rows;
+  }
+
+ private:
+  static int side(double d) { return d > 0 ? 1 : d < 0 ? 0 : 2; }
+};
+
+}  // namespace alate

@@ -1,0 +1,138 @@
+#include "world/raster_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "world/cell_walk.hpp"
+
+namespace alate {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Bounds and closed forms round differently; only what differs by more may be decided by a bound.
+constexpr double kRounding_m = 1e-6;
+
+/// Height above the ground inside one cell: c0 + c1 s + c2 s^2 for s in [0, end].
+struct Quadratic {
+  double c0 = 0;
+  double c1 = 0;
+  double c2 = 0;
+  double end = 0;
+
+  double at(double s) const { return c0 + s * (c1 + s * c2); }
+  double slope(double s) const { return c1 + 2 * s * c2; }
+  double vertex() const { return at(-c1 / (2 * c2)); }
+  double lowest() const {
+    if (c2 > 0 && c1 < 0 && slope(end) > 0) return vertex();
+    return std::min(c0, at(end));
+  }
+  double highest() const {
+    if (c2 < 0 && c1 > 0 && slope(end) < 0) return vertex();
+    return std::max(c0, at(end));
+  }
+  bool unknown() const { return std::isnan(c2); }
+};
+
+/// Searches the lowest clearance.
+struct Lowest {
+  double best = kInfinity;
+
+  bool may_skip(double low, double /*high*/) const { return low > best + kRounding_m; }
+  bool accept(const Quadratic& above) {
+    best = above.unknown() ? -kInfinity : std::min(best, above.lowest());
+    return best > -kInfinity;
+  }
+};
+
+/// Stops at the first cell below `floor` or above `roof`.
+struct Within {
+  double floor = 0;
+  double roof = kInfinity;
+
+  bool may_skip(double low, double high) const { return low > floor + kRounding_m && high < roof - kRounding_m; }
+  bool accept(const Quadratic& above) const {
+    return !above.unknown() && above.lowest() >= floor && (roof == kInfinity || above.highest() <= roof);
+  }
+};
+
+/// Height above the ground over the part [t, t_out] of the walk that lies in its cell.
+Quadratic above_cell(const HeightRaster& raster, const CellWalk& walk, double t_out) {
+  const float* upper = raster.posts.data() + static_cast<std::ptrdiff_t>(walk.row) * raster.columns + walk.column;
+  const float* lower = upper + raster.columns;
+  const double h = double{upper[0]};
+  const double b = double{upper[1]} - h;
+  const double c = double{lower[0]} - h;
+  const double d = double{lower[1]} - double{lower[0]} - b;
+  const double u = walk.x + walk.dx * walk.t - walk.column;
+  const double v = walk.y + walk.dy * walk.t - walk.row;
+  const double ground = h + u * b + v * (c + u * d);
+  const double slope = walk.dx * (b + v * d) + walk.dy * (c + u * d);
+  return {
+      .c0 = walk.height(walk.t) - ground, .c1 = walk.dz - slope, .c2 = -walk.dx * walk.dy * d, .end = t_out - walk.t};
+}
+
+/// Walks the leg until its end (true) or until `goal` has seen enough (false).
+template <class Goal>
+bool run(const HeightRaster& raster, const HeightPyramid& pyramid, CellWalk walk, Goal& goal) {
+  int level = 1;
+  for (;;) {
+    const auto exit = walk.exit(HeightPyramid::kShift * level);
+    bool skipped = false;
+    if (level > 0) {
+      const auto& range = pyramid.block(level, walk.column, walk.row);
+      const double z_in = walk.height(walk.t);
+      const double z_out = walk.height(exit.t);
+      skipped = goal.may_skip(std::min(z_in, z_out) - double{range.high}, std::max(z_in, z_out) - double{range.low});
+      if (!skipped) {
+        --level;
+        continue;
+      }
+    } else if (!goal.accept(above_cell(raster, walk, exit.t))) {
+      return false;
+    }
+    const int column = walk.column;
+    const int row = walk.row;
+    if (!walk.leave(exit)) return true;
+    // Try the next coarser block only where the walk has just entered one.
+    const int shift = HeightPyramid::kShift * (level + 1);
+    const bool entered = (column >> shift) != (walk.column >> shift) || (row >> shift) != (walk.row >> shift);
+    if (entered && level < pyramid.top()) ++level;
+  }
+}
+
+}  // namespace
+
+template <class Goal>
+bool RasterGround::follow(const Segment& leg, Goal& goal) const {
+  Vec2 from = raster_.map(leg.a.head<2>());
+  const Vec2 end = raster_.map(leg.b.head<2>());
+  if (!raster_.covers(from) || !raster_.covers(end)) return false;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(leg.planar_length() / raster_.map.straight_length_m())));
+  for (int i = 1; i <= pieces; ++i) {
+    const double t_from = static_cast<double>(i - 1) / pieces;
+    const double t_to = static_cast<double>(i) / pieces;
+    const Vec2 to = i == pieces ? end : raster_.map(leg.at(t_to).head<2>());
+    // Between covered ends the border of the posts may bend away by less than it matters.
+    if (!raster_.covers(to)) return false;
+    const double climb = leg.b.z() - leg.a.z();
+    const CellWalk walk({.from = from, .to = to, .z = leg.a.z() + t_from * climb, .dz = (t_to - t_from) * climb},
+                        raster_.columns - 1, raster_.rows - 1);
+    if (!run(raster_, pyramid_, walk, goal)) return false;
+    from = to;
+  }
+  return true;
+}
+
+double RasterGround::clearance(const Segment& leg) const {
+  Lowest goal;
+  return follow(leg, goal) ? goal.best : -kInfinity;
+}
+
+bool RasterGround::within(const Segment& leg, double floor, double roof) const {
+  Within goal{.floor = floor, .roof = roof};
+  return follow(leg, goal);
+}
+
+}  // namespace alate
