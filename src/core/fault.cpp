@@ -23,6 +23,27 @@ std::string place_of(const Fault& fault) {
   return fmt::format("{}:{}:{}", fault.file, fault.line, fault.column);
 }
 
+std::string detail_of(const Fault& fault) {
+  const std::string unit = fault.unit.empty() ? "" : fmt::format(" {}", fault.unit);
+  if (fault.limit.empty()) return fault.value.empty() ? "" : fmt::format(" (got {})", fault.value);
+  if (fault.value.empty()) return fmt::format(" (allowed {}{})", fault.limit, unit);
+  return fmt::format(" (got {}, allowed {}{})", fault.value, fault.limit, unit);
+}
+
+/// Control characters, which could command a terminal, as `\x1b`.
+std::string printable(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string to_string(const Fault& fault) {
@@ -30,13 +51,7 @@ std::string to_string(const Fault& fault) {
   for (const std::string& part : {place_of(fault), fault.field}) {
     if (!part.empty()) text += part + ": ";
   }
-  text += fault.message;
-  const std::string unit = fault.unit.empty() ? "" : " " + fault.unit;
-  std::string detail;
-  if (!fault.value.empty()) detail = fmt::format("got {}", fault.value);
-  if (!fault.limit.empty()) detail += fmt::format("{}allowed {}{}", detail.empty() ? "" : ", ", fault.limit, unit);
-  if (!detail.empty()) text += fmt::format(" ({})", detail);
-  return text;
+  return printable(text + fault.message + detail_of(fault));
 }
 
 InputError::InputError(std::vector<Fault> faults) : std::runtime_error(message_of(faults)), faults_(std::move(faults)) {

@@ -4,36 +4,48 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <charconv>
-#include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
+
+#include "core/number_text.hpp"
 
 namespace alate {
 
 namespace {
 
-template <class Number>
-std::optional<Number> parse_number(const std::string& text) {
-  Number value{};
+/// What a user wrote for a parameter: its value, or why it has none.
+struct Reading {
+  std::optional<ParamValue> value;
+  std::string problem;
+};
+
+Reading read_integer(const std::string& text) {
+  const NumberText number = parse_number(text);
+  if (!number.problem.empty()) return {.problem = number.problem};
+  std::int64_t value = 0;
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stopped != end) return std::nullopt;
-  return value;
+  const auto [stopped, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || stopped != end) return {.problem = "must be a whole number"};
+  return {.value = value};
 }
 
-/// Reads `text` as a value of the parameter's type; nothing if it is not one.
-std::optional<ParamValue> parse(const Parameter& parameter, const std::string& text) {
+/// Reads `text` as a value of the parameter's type.
+Reading read(const Parameter& parameter, const std::string& text) {
   if (std::holds_alternative<bool>(parameter.default_value)) {
-    if (text == "true") return true;
-    if (text == "false") return false;
-    return std::nullopt;
+    if (text == "true" || text == "false") return {.value = text == "true"};
+    return {.problem = "must be true or false"};
   }
-  if (std::holds_alternative<std::int64_t>(parameter.default_value)) return parse_number<std::int64_t>(text);
-  if (std::holds_alternative<double>(parameter.default_value)) return parse_number<double>(text);
-  return text;
+  if (std::holds_alternative<std::int64_t>(parameter.default_value)) return read_integer(text);
+  if (std::holds_alternative<double>(parameter.default_value)) {
+    NumberText number = parse_number(text);
+    if (number.problem.empty()) return {.value = number.value};
+    return {.problem = std::move(number.problem)};
+  }
+  return {.value = text};
 }
 
 bool in_range(const Parameter& parameter, const ParamValue& value) {
@@ -45,11 +57,6 @@ bool in_range(const Parameter& parameter, const ParamValue& value) {
   return true;
 }
 
-const char* type_name(const ParamValue& value) {
-  static constexpr std::array<const char*, 4> kNames{"true or false", "a whole number", "a number", "a word"};
-  return kNames[value.index()];
-}
-
 Fault fault_at(const ParamSetting& setting, std::string message) {
   return {.file = setting.file,
           .line = setting.line,
@@ -57,6 +64,27 @@ Fault fault_at(const ParamSetting& setting, std::string message) {
           .field = setting.name,
           .value = setting.text,
           .message = std::move(message)};
+}
+
+Fault unknown(const ParamSetting& setting, const std::vector<Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& known : parameters) names.push_back(known.name);
+  const std::string near = nearest(setting.name, names);
+  return fault_at(setting,
+                  near.empty() ? "unknown parameter" : fmt::format("unknown parameter; did you mean {}?", near));
+}
+
+Fault refused(const ParamSetting& setting, const Parameter& parameter, const Reading& reading) {
+  Fault fault = fault_at(setting, reading.value ? "out of range" : reading.problem);
+  fault.limit = parameter.range();
+  fault.unit = parameter.unit;
+  return fault;
+}
+
+/// Do the words differ only by what follows an underscore, as `radius` and `radius_m`?
+bool differ_by_unit(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  return !a.empty() && b.starts_with(a) && b.substr(a.size()).starts_with('_');
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -113,33 +141,29 @@ ParamValues ParamTable::resolve(const std::map<std::string, ParamValue>& preset,
   for (const ParamSetting& setting : settings) {
     const Parameter* parameter = find(setting.name);
     if (parameter == nullptr) {
-      std::vector<std::string> names;
-      names.reserve(parameters_.size());
-      for (const Parameter& known : parameters_) names.push_back(known.name);
-      const std::string near = nearest(setting.name, names);
-      faults.push_back(fault_at(setting, "unknown parameter" + (near.empty() ? "" : "; did you mean " + near + "?")));
+      faults.push_back(unknown(setting, parameters_));
       continue;
     }
-    const auto value = parse(*parameter, setting.text);
-    if (value && in_range(*parameter, *value)) {
-      values[setting.name] = *value;
-      continue;
+    Reading reading = read(*parameter, setting.text);
+    if (reading.value && in_range(*parameter, *reading.value)) {
+      values[setting.name] = *std::move(reading.value);
+    } else {
+      faults.push_back(refused(setting, *parameter, reading));
     }
-    Fault fault =
-        fault_at(setting, value ? "out of range" : fmt::format("is not {}", type_name(parameter->default_value)));
-    fault.limit = parameter->range();
-    fault.unit = parameter->unit;
-    faults.push_back(std::move(fault));
   }
   return ParamValues(std::move(values));
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kMostEdits = 3;
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t best_distance = kMostEdits + 1;
   for (const std::string& candidate : candidates) {
+    if (differ_by_unit(word, candidate)) return candidate;
+    const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
+    if (longer - shorter > kMostEdits) continue;
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
+    if (distance < best_distance && 2 * distance <= shorter) {
       best = candidate;
       best_distance = distance;
     }

@@ -12,7 +12,7 @@ namespace alate {
 
 namespace {
 
-constexpr double kLatticeError = 0.0002;  ///< Posts.
+constexpr double kLatticeError = 0.0009;  ///< Posts.
 constexpr std::size_t kMostKnots = 4'000'000;
 
 struct TransformDeleter {

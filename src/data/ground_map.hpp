@@ -25,9 +25,9 @@ struct GroundMap {
 };
 
 /// Exact affine in a local frame, for a raster without CRS, and where both CRSs are the same; else a lattice of
-/// projected knots, halved until bilinear interpolation between them is right to 0.0002 post at the middles of
-/// all lattice cells and of their sides. Nothing if PROJ cannot follow the whole raster into the frame.
-/// Cost: about 4 projections a knot; 1000 to 20 000 knots for 30 to 110 km of ground.
+/// projected knots, halved until interpolation between them is right to 0.0009 post at the middles of all lattice
+/// squares and of their sides. Nothing if PROJ cannot follow the whole raster into the frame.
+/// Cost: about 4 projections a knot; some hundred knots for 30 km of ground.
 std::optional<GroundMap> map_ground(const RasterGrid& grid, const Frame& frame);
 
 }  // namespace alate

@@ -13,9 +13,9 @@ inline constexpr std::size_t kMaxAngles = 100;               ///< Angles in one 
 inline constexpr std::size_t kMaxAttitudeMoves = 10'000;     ///< Rolls times pitches times yaws.
 inline constexpr double kMaxMagnitude = 1e9;                 ///< Of any number in a scenario.
 inline constexpr std::size_t kMaxFaults = 100;               ///< Shown one by one; the rest are counted.
-inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
 
-/// Heights outside these are no ground on Earth but voids that nobody marked as such.
+inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
+/// Raster heights outside these are no ground on Earth but voids that nobody marked as such.
 inline constexpr double kLowestGround_m = -12'000;
 inline constexpr double kHighestGround_m = 9'000;
 

@@ -29,13 +29,25 @@ double bend_of(const std::vector<Vec2>& knots, int columns) {
 }
 
 /// Longest leg, in knot spacings, that departs less than kStraightness from straight. A curve of second
-/// derivative `bend` departs by bend L^2 / 8; interpolating it between knots adds at most bend / 8, or what the
-/// kinks at two crossed knot lines make of a short leg.
+/// derivative `bend` departs by bend L^2 / 8; interpolating it between knots adds at most bend / 4, or what the
+/// kinks at the crossed lines make of a short leg.
 double straight_spacings(double bend) {
-  const auto departure = [bend](double length) { return bend * (length * length / 8 + std::min(1.0 / 8, length / 2)); };
+  const auto departure = [bend](double length) { return bend * (length * length / 8 + std::min(1.0 / 4, length / 2)); };
   double length = std::sqrt(8 * kStraightness / bend);
   while (departure(length) > kStraightness) length *= 0.95;
   return length;
+}
+
+/// First parameter after `t` at which from + t along is a whole number. A line less than 1e-9 of the leg ahead
+/// is taken as passed: rounding puts the line just crossed there.
+double next_line(double from, double along, double t) {
+  constexpr double kPassed = 1e-9;
+  if (along == 0) return std::numeric_limits<double>::infinity();
+  const double step = along > 0 ? 1 : -1;
+  const double at = from + t * along;
+  const double line = along > 0 ? std::floor(at) + 1 : std::ceil(at) - 1;
+  const double crossing = (line - from) / along;
+  return crossing > t + kPassed ? crossing : (line + step - from) / along;
 }
 
 }  // namespace
@@ -51,8 +63,9 @@ PostMap PostMap::lattice(const Box2& area, double spacing_m, int columns, std::v
   assert(columns >= 2 && knots.size() >= 2 * static_cast<std::size_t>(columns));
   PostMap map;
   map.area_ = area;
-  map.spacing_m_ = spacing_m;
+  map.per_spacing_ = 1 / spacing_m;
   map.columns_ = columns;
+  map.rows_ = static_cast<int>(knots.size()) / columns;
   const double bend = bend_of(knots, columns);
   map.straight_length_m_ = bend > 0 ? spacing_m * straight_spacings(bend) : std::numeric_limits<double>::infinity();
   map.knots_ = std::move(knots);
@@ -64,15 +77,26 @@ Vec2 PostMap::operator()(const Vec2& xy) const {
     return {affine_[0] + affine_[1] * xy.x() + affine_[2] * xy.y(),
             affine_[3] + affine_[4] * xy.x() + affine_[5] * xy.y()};
   if (!area_.contains(xy)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
-  const Vec2 at = (xy - area_.min) / spacing_m_;
-  const int rows = static_cast<int>(knots_.size()) / columns_;
+  const Vec2 at = (xy - area_.min) * per_spacing_;
   const int i = std::min(static_cast<int>(at.x()), columns_ - 2);
-  const int j = std::min(static_cast<int>(at.y()), rows - 2);
+  const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
   const double u = at.x() - i;
   const double v = at.y() - j;
   const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(j) * columns_ + i;
   const Vec2* high = low + columns_;
-  return (1 - v) * ((1 - u) * low[0] + u * low[1]) + v * ((1 - u) * high[0] + u * high[1]);
+  // The third corner of the triangle: right below the diagonal, or left above it.
+  if (u >= v) return low[0] + u * (low[1] - low[0]) + v * (high[1] - low[1]);
+  return low[0] + v * (high[0] - low[0]) + u * (high[1] - high[0]);
+}
+
+double PostMap::straight_until(const Vec2& a, const Vec2& b, double t) const {
+  if (knots_.empty()) return 1;
+  const Vec2 from = (a - area_.min) * per_spacing_;
+  const Vec2 along = (b - a) * per_spacing_;
+  const double across = next_line(from.x(), along.x(), t);
+  const double up = next_line(from.y(), along.y(), t);
+  const double diagonal = next_line(from.x() - from.y(), along.x() - along.y(), t);
+  return std::min({across, up, diagonal, 1.0});
 }
 
 }  // namespace alate

@@ -75,6 +75,11 @@ std::string join(const std::string& path, const std::string& key) { return path.
 /// Where a missing key or a wrong combination is reported: at the group's key, or at the item of a list.
 const Place& place_of_group(const Node& node) { return node.key.empty() ? node.place : node.key_place; }
 
+/// A group is marked by its key, a value by itself.
+bool holds_fields(const Slot& slot) {
+  return std::holds_alternative<Group>(slot) || std::holds_alternative<Groups>(slot);
+}
+
 void Reader::read_group(const Node& node, const std::string& path, const Description& description) {
   check_keys(node, path, description);
   for (const Field& field : description.fields) {
@@ -84,8 +89,7 @@ void Reader::read_group(const Node& node, const std::string& path, const Descrip
       if (field.required) report(place_of_group(node), {.field = child_path, .message = "is missing"});
       continue;
     }
-    const bool holds_more = child->kind == Node::Kind::map || child->kind == Node::Kind::list;
-    scenario_.marks[child_path] = mark_at(holds_more ? child->key_place : child->place);
+    scenario_.marks[child_path] = mark_at(holds_fields(field.slot) ? child->key_place : child->place);
     if (child->kind == Node::Kind::broken) continue;
     if (child->kind == Node::Kind::null) {
       report(child->key_place, {.field = child_path, .message = "has no value"});

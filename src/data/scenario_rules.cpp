@@ -16,7 +16,10 @@ namespace {
 class Rules {
  public:
   Rules(const Scenario& scenario, std::vector<Fault>& faults) : scenario_(scenario), faults_(faults) {
-    for (const Fault& fault : faults) faulty_.insert(fault.field);
+    for (const Fault& fault : faults) {
+      faulty_.insert(fault.field);
+      if (fault.field == "frame" || fault.field.starts_with("frame.")) frame_sound_ = false;
+    }
   }
 
   void check_terrain();
@@ -50,13 +53,14 @@ class Rules {
   const Scenario& scenario_;
   std::vector<Fault>& faults_;
   std::set<std::string> faulty_;
+  bool frame_sound_ = true;
 };
 
 void Rules::check_terrain() {
   if (!scenario_.terrain) return;
   const TerrainSpec& terrain = *scenario_.terrain;
   const bool placed = scenario_.frame.origin || scenario_.frame.local;
-  if (given("terrain.peaks") && !placed && sound("frame")) {
+  if (given("terrain.peaks") && !placed && frame_sound_) {
     report("terrain.peaks", {.limit = "frame: {local: true} or {origin: {lat, lon}}",
                              .message = "peaks need a local frame or one with an origin"});
   }
@@ -84,7 +88,7 @@ void Rules::check_places() {
   for (const std::string path : {"start", "goal"}) {
     check_ground_frame(path, given(path + ".lat") && given(path + ".lon"));
     check_above_ground(path);
-    if (automatic && given(path + ".position_m") && sound("frame")) {
+    if (automatic && given(path + ".position_m") && frame_sound_) {
       report(path + ".position_m", {.limit = "frame: {local: true}, {origin: {lat, lon}} or {crs: \"EPSG:...\"}",
                                     .message = "crs: auto needs lat and lon; or name the frame of these metres"});
     }

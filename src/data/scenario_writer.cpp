@@ -29,12 +29,21 @@ class Writer {
     const std::string value =
         field.written ? std::visit([&](const auto& slot) { return value_of(slot); }, field.slot) : "";
     if (!value.empty()) return fmt::format("{}{}:{}\n", comment(field), field.key, value);
-    return commented_ ? fmt::format("{}# {}:\n", comment(field), field.key) : "";
+    return commented_ ? fmt::format("{}# {}:{}\n", comment(field), field.key, keys_of(field.slot)) : "";
   }
 
   std::string comment(const Field& field) const {
     if (!commented_) return "";
     return field.unit.empty() ? fmt::format("# {}\n", field.help) : fmt::format("# {} ({})\n", field.help, field.unit);
+  }
+
+  /// The keys of a group that is not given: " {lat: , lon: }".
+  static std::string keys_of(const Slot& slot) {
+    const auto* group = std::get_if<Group>(&slot);
+    if (group == nullptr) return "";
+    std::vector<std::string> keys;
+    for (const Field& field : group->open().fields) keys.push_back(field.key);
+    return fmt::format(" {{{}: }}", fmt::join(keys, ": , "));
   }
 
   // What follows "key:", numbers in the fewest digits that read back to the same; empty if there is nothing to write.

@@ -72,10 +72,13 @@ struct CellWalk {
   /// Moves to the first cell behind `exit`; false at the end of the leg.
   bool leave(const Exit& exit) {
     if (exit.t >= 1) return false;
+    // Where a column line and a row line are crossed at once, the column line comes first.
     if (exit.through_column) {
+      near(row, y + dy * exit.t, step_y);
       while ((row + side_y - y) * per_dy < exit.t) row += step_y;
       column = exit.next;
     } else {
+      near(column, x + dx * exit.t, step_x);
       while ((column + side_x - x) * per_dx <= exit.t) column += step_x;
       row = exit.next;
     }
@@ -85,6 +88,11 @@ struct CellWalk {
   }
 
  private:
+  /// Moves `cell` to one before `position` if it is far behind; rounding is far less than a cell.
+  static void near(int& cell, double position, int step) {
+    const int before = static_cast<int>(position) - step;
+    if ((before - cell) * step > 0) cell = before;
+  }
   static int side(double d) { return d > 0 ? 1 : d < 0 ? 0 : 2; }
 };
 

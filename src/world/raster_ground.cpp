@@ -109,18 +109,16 @@ bool RasterGround::follow(const Segment& leg, Goal& goal) const {
   Vec2 from = raster_.map(leg.a.head<2>());
   const Vec2 end = raster_.map(leg.b.head<2>());
   if (!raster_.covers(from) || !raster_.covers(end)) return false;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(leg.planar_length() / raster_.map.straight_length_m())));
-  for (int i = 1; i <= pieces; ++i) {
-    const double t_from = static_cast<double>(i - 1) / pieces;
-    const double t_to = static_cast<double>(i) / pieces;
-    const Vec2 to = i == pieces ? end : raster_.map(leg.at(t_to).head<2>());
-    // Between covered ends the border of the posts may bend away by less than it matters.
+  const double climb = leg.b.z() - leg.a.z();
+  for (double t = 0; t < 1;) {
+    const double t_to = raster_.map.straight_until(leg.a.head<2>(), leg.b.head<2>(), t);
+    const Vec2 to = t_to < 1 ? raster_.map(leg.at(t_to).head<2>()) : end;
     if (!raster_.covers(to)) return false;
-    const double climb = leg.b.z() - leg.a.z();
-    const CellWalk walk({.from = from, .to = to, .z = leg.a.z() + t_from * climb, .dz = (t_to - t_from) * climb},
+    const CellWalk walk({.from = from, .to = to, .z = leg.a.z() + t * climb, .dz = (t_to - t) * climb},
                         raster_.columns - 1, raster_.rows - 1);
     if (!run(raster_, pyramid_, walk, goal)) return false;
     from = to;
+    t = t_to;
   }
   return true;
 }

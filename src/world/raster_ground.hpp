@@ -1,7 +1,7 @@
 // Height of straight legs above bilinear ground: exact, and cheap where the ground is far below.
 //
-// Method: a leg, straight in post coordinates, is walked cell by cell (Amanatides and Woo 1987). Inside a cell
-// the ground under it is a quadratic of the leg's parameter, so its lowest and highest clearance lie at the ends
+// Method: a leg is cut where PostMap bends it, and each piece is walked cell by cell (Amanatides and Woo 1987). Inside
+// a cell the ground under it is a quadratic of the leg's parameter, so its lowest and highest clearance lie at the ends
 // or at the vertex: closed form. Blocks of the height pyramid whose bounds cannot matter are jumped over, to the
 // very cell that the walk would have reached, so that pruning never changes a bit of the result.
 // Cost: one closed form per cell that matters, one bound per block that does not. No allocation.

@@ -22,6 +22,7 @@ struct Fault {
 };
 
 /// `file:line:column: field: message (got VALUE, allowed LIMIT UNIT)`, leaving out what is empty.
+/// One line; control characters are shown as `\x1b`.
 std::string to_string(const Fault& fault);
 
 /// Thrown for bad input only (exit code 2); carries all faults found, at least one.

@@ -75,7 +75,8 @@ class ParamTable {
   std::vector<Parameter> parameters_;
 };
 
-/// The candidate nearest to `word` by edit distance, or empty if none is near (for "did you mean").
+/// The candidate nearest to `word`, or empty if none is near (for "did you mean"): one that differs by its unit only
+/// (`radius` and `radius_m`), else the least edit distance, up to 3 and half of the shorter word.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace alate

@@ -15,8 +15,9 @@ namespace alate {
 
 /// Frame metres -> post coordinates (column, row), where (0, 0) is the first post and whole numbers are posts.
 /// A raster in the frame's own CRS is mapped by its exact affine. Any other is mapped by a lattice of exactly
-/// projected knots with bilinear interpolation between them, its spacing chosen so that the error stays below
-/// 0.001 post (checked at the middle of every lattice cell when it is built).
+/// projected knots: squares cut into two triangles by the diagonal from low x, y to high x, y, the map being affine
+/// in each. Its spacing is chosen so that the error stays below 0.001 post (checked at the middle of every square
+/// and of every side when it is built). So a straight leg maps to straight pieces, cut where it changes triangle.
 class PostMap {
  public:
   /// Row-major 2x3 affine: column = a[0] + a[1] x + a[2] y, row = a[3] + a[4] x + a[5] y.
@@ -24,17 +25,23 @@ class PostMap {
   /// `knots` are post coordinates at `area.min + (i, j) * spacing_m`, row-major with i fastest.
   static PostMap lattice(const Box2& area, double spacing_m, int columns, std::vector<Vec2> knots);
 
+  /// NaN outside the area of a lattice.
   Vec2 operator()(const Vec2& xy) const;
 
+  /// The leg from `a` to `b` maps to a straight line from parameter `t` in [0, 1) to the one returned, which is
+  /// greater than t; 1 at the end. Cutting a leg there makes every piece exactly straight.
+  double straight_until(const Vec2& a, const Vec2& b, double t) const;
+
   /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
-  /// 0.001 post; longer legs are to be cut. Infinite for an affine map.
+  /// 0.001 post. Infinite for an affine map.
   double straight_length_m() const { return straight_length_m_; }
 
  private:
   std::array<double, 6> affine_{};
   Box2 area_{};
-  double spacing_m_ = 0;
+  double per_spacing_ = 0;
   int columns_ = 0;
+  int rows_ = 0;
   std::vector<Vec2> knots_;  ///< Empty for an affine map.
   double straight_length_m_ = 0;
 };
@@ -49,7 +56,7 @@ struct HeightRaster {
   double cell_m = 0;  ///< Mean distance between neighbouring posts in the frame.
   std::string name;   ///< File name without folder.
   std::string crs;    ///< As the source names it.
-  std::string datum;  ///< Vertical datum, "EGM96 mean sea level", or "not stated".
+  std::string datum;  ///< Vertical datum: "EGM96 height", or "not stated (taken as mean sea level)".
   std::size_t voids = 0;
 
   float post(int column, int row) const {
@@ -64,7 +71,9 @@ struct HeightRaster {
 };
 
 /// Reads band 1 of a raster file in any CRS. Faults go to `faults` (field `terrain.dem`) and nothing is
-/// returned: missing, empty, truncated, no CRS, more than the limit of cells, a /vsi path, unknown driver.
+/// returned: missing, empty, truncated, no CRS, more than the limit of cells, a /vsi path other than /vsizip,
+/// unknown driver, no geotransform, heights that are complex, in no unit of length or above the ellipsoid.
+/// Heights in feet are brought to metres. Posts that no ground on Earth has (below -12 000 m) are voids.
 /// In a local frame, or with a frame CRS equal to the raster's, posts are mapped exactly.
 std::optional<HeightRaster> read_height_raster(const std::string& file, const Frame& frame, std::vector<Fault>& faults);
 

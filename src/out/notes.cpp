@@ -1,0 +1,105 @@
+#include "out/notes.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace alate {
+
+namespace {
+
+/// A sentence out of a clause: ends in a full stop.
+std::string sentence(std::string text) {
+  if (!text.empty() && text.back() != '.') text += '.';
+  return text;
+}
+
+std::string no_route(const Plan& plan) {
+  const char* opening = plan.outcome == Outcome::infeasible_proven ? "There is no route" : "No route was found";
+  return sentence(plan.why.empty() ? opening : fmt::format("{}: {}", opening, plan.why));
+}
+
+std::string judgement(const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const Violation& violation : verdict.violations) {
+    if (std::ranges::find(names, violation.rule) == names.end()) names.push_back(violation.rule);
+  }
+  switch (verdict.status) {
+    case Status::pass:
+      return fmt::format(" that keeps all {} rules that were judged", verdict.margins.size());
+    case Status::fail:
+      return fmt::format(", but it must not be flown: it breaks {}", fmt::join(names, ", "));
+    case Status::unknown:
+      break;
+  }
+  for (const NotChecked& rule : verdict.not_checked) {
+    if (rule.unknown) names.push_back(rule.rule);
+  }
+  return fmt::format(", but the data do not reach far enough to judge {}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+GroundNote ground_note(const Site& site) {
+  if (const auto* raster = std::get_if<HeightRaster>(&site.ground)) {
+    return {.kind = "raster",
+            .terrain = raster->name,
+            .crs = raster->crs,
+            .datum = raster->datum,
+            .cell_m = raster->cell_m,
+            .voids = raster->voids};
+  }
+  if (const auto* peaks = std::get_if<PeakGround>(&site.ground)) {
+    return {.kind = "peaks",
+            .terrain = fmt::format("{} analytic {}", peaks->peaks.size(), peaks->peaks.size() == 1 ? "hill" : "hills"),
+            .datum = "heights as given in the scenario"};
+  }
+  return {.kind = "none"};
+}
+
+std::string notice(const Site& site) {
+  const GroundNote ground = ground_note(site);
+  std::string text = "Planning help, not clearance to fly. Heights are metres above mean sea level";
+  if (!ground.datum.empty()) text += fmt::format(" (vertical datum of the terrain: {})", ground.datum);
+  text += ". ";
+  if (ground.kind == "none") return text + "No terrain was given, so nothing is known about the ground.";
+  text += "Terrain: " + ground.terrain;
+  if (ground.cell_m) text += fmt::format(", one height every {:.3g} m", *ground.cell_m);
+  return text + ". Trees, masts and wires are not in it.";
+}
+
+std::vector<std::string> all_warnings(const Result& result) {
+  std::vector<std::string> all;
+  for (const auto& warnings : {result.site.warnings, result.warnings}) {
+    for (const std::string& warning : warnings) {
+      if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
+    }
+  }
+  return all;
+}
+
+std::optional<double> gap(const Result& result) {
+  const double bound = result.plan.lower_bound;
+  if (result.plan.route.empty() || !(bound > 0)) return std::nullopt;
+  const double value = (result.metrics.cost - bound) / bound;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string gap_in_words(const Result& result) {
+  const auto value = gap(result);
+  if (!value) return "how far from the best possible is not known";
+  if (*value < 5e-4) return "as good as the best possible";
+  return fmt::format("at most {:.1f} % above the best possible", 100 * *value);
+}
+
+std::string summary(const Result& result) {
+  if (result.plan.route.empty()) return no_route(result.plan);
+  std::string text =
+      fmt::format("A route of {:.1f} km was found{}.", result.metrics.length_m / 1000, judgement(result.verdict));
+  if (result.verdict.ok() && gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
+  return text;
+}
+
+}  // namespace alate

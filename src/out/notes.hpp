@@ -1,0 +1,33 @@
+// What every output says about its ground, its heights and its limits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "alate/out/result.hpp"
+
+namespace alate {
+
+/// Where the ground heights come from. Empty strings where there is no ground.
+struct GroundNote {
+  std::string kind;  ///< "raster", "peaks" or "none".
+  std::string terrain;
+  std::string crs;
+  std::string datum;
+  std::optional<double> cell_m;
+  std::optional<std::size_t> voids;
+};
+
+GroundNote ground_note(const Site& site);
+
+/// Planning help, not clearance to fly; what is not in the terrain; the datum. One paragraph.
+std::string notice(const Site& site);
+
+/// Warnings of the site, then of the run, each once.
+std::vector<std::string> all_warnings(const Result& result);
+
+/// "at most 10.5 % above the best possible", or why that cannot be said.
+std::string gap_in_words(const Result& result);
+
+}  // namespace alate

@@ -1,0 +1,30 @@
+// A shaded picture of the ground: layer tints for height, light from the north-west for shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "alate/data/site.hpp"
+#include "out/report/png.hpp"
+
+namespace alate {
+
+/// One tint and the heights it stands for.
+struct HeightBand {
+  double from_m = 0;
+  double to_m = 0;
+  Rgb color{};
+};
+
+struct Hillshade {
+  IndexedImage image;             ///< Its upper left is the north-west corner of the area.
+  std::vector<HeightBand> bands;  ///< Upwards; empty without known ground.
+  bool has_unknown = false;       ///< Is some of the area without known ground (hatched grey)?
+};
+
+/// Samples the ground over `area` at about `columns` columns, fewer where the terrain holds no more.
+/// Shading after Horn (1981): Lambert's law, sun at azimuth 315 and altitude 45 degrees, relief exaggerated where the
+/// land is gentle.
+Hillshade hillshade(const Site& site, const Box2& area, int columns);
+
+}  // namespace alate

@@ -1,0 +1,50 @@
+#include "out/report/map_frame.hpp"
+
+#include <algorithm>
+
+namespace alate {
+
+namespace {
+
+constexpr double kFlattest = 0.5;  ///< Height by width.
+constexpr double kTallest = 1.0;
+constexpr double kMargin = 0.1;
+constexpr double kLeastSize = 50;  ///< Metres.
+
+void include(Box2& box, const Vec2& center, double radius) {
+  box.min = box.min.cwiseMin(center - Vec2::Constant(radius));
+  box.max = box.max.cwiseMax(center + Vec2::Constant(radius));
+}
+
+Box2 widened(const Box2& box, double by) { return {box.min - Vec2::Constant(by), box.max + Vec2::Constant(by)}; }
+
+double longest_side(const Box2& box) { return std::max((box.max - box.min).maxCoeff(), kLeastSize); }
+
+bool overlaps(const Box2& box, const Threat& threat) {
+  return widened(box, threat.radius_m).contains(threat.center.head<2>());
+}
+
+/// Grows the shorter side, half at each end, until the proportions are pleasant.
+Box2 proportioned(Box2 box) {
+  const Vec2 size = (box.max - box.min).cwiseMax(kLeastSize);
+  const Vec2 center = (box.min + box.max) / 2;
+  const Vec2 wanted{std::max(size.x(), size.y() / kTallest), std::max(size.y(), size.x() * kFlattest)};
+  return {center - wanted / 2, center + wanted / 2};
+}
+
+}  // namespace
+
+MapFrame map_frame(const Site& site, const Route& route, double width) {
+  const Mission& mission = site.mission;
+  Box2 box{mission.start.head<2>(), mission.start.head<2>()};
+  include(box, mission.goal.head<2>(), mission.tolerance_m);
+  for (const RouteState& state : route.states) include(box, state.position.head<2>(), 0);
+  const Box2 flown = box;
+  for (const Threat& threat : site.threats) {
+    if (overlaps(flown, threat))
+      include(box, threat.center.head<2>(), std::min(threat.radius_m, longest_side(flown) / 4));
+  }
+  return {.area = proportioned(widened(box, kMargin * longest_side(box))), .width = width};
+}
+
+}  // namespace alate

@@ -1,0 +1,225 @@
+#include "out/report/map_view.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+
+#include "out/report/axis.hpp"
+#include "out/report/hillshade.hpp"
+#include "out/report/map_frame.hpp"
+#include "out/report/number_words.hpp"
+#include "out/report/svg.hpp"
+#include "out/route_points.hpp"
+#include "out/text.hpp"
+
+namespace alate {
+
+namespace {
+
+constexpr double kWidth = 1000;
+constexpr int kPictureColumns = 800;
+
+/// May the straight flight from start to goal not pass here: too low over the ground, or inside a core?
+bool is_barred(const Site& site, const Vec3& at) {
+  const auto above = height_above_ground(site, at);
+  if (above && *above < site.band.clearance_m) return true;
+  return std::ranges::any_of(site.threats, [&](const Threat& threat) {
+    const bool sphere = threat.shape == Threat::Shape::sphere;
+    const double distance = sphere ? (at - threat.center).norm() : (at - threat.center).head<2>().norm();
+    const bool at_height = sphere || (at.z() >= threat.floor_m && at.z() <= threat.top_m);
+    return at_height && distance < threat.core_m;
+  });
+}
+
+/// The straight line from start to goal, thick where it is barred. Returns whether any of it is.
+bool draw_direct_line(Svg& svg, const MapFrame& map, const Site& site) {
+  constexpr int kPieces = 400;
+  const Segment direct{site.mission.start, site.mission.goal};
+  svg.line(map(direct.a), map(direct.b), "direct");
+  bool barred = false;
+  std::vector<Vec2> piece;
+  for (int i = 0; i <= kPieces + 1; ++i) {
+    const Vec3 at = direct.at(std::min(1.0, static_cast<double>(i) / kPieces));
+    if (i <= kPieces && is_barred(site, at)) {
+      piece.push_back(map(at));
+      continue;
+    }
+    if (piece.size() > 1) {
+      svg.polyline(piece, "barred");
+      barred = true;
+    }
+    piece.clear();
+  }
+  return barred;
+}
+
+std::string extent_of(const Threat& threat) {
+  std::string text = fmt::format("{}: radius {:.0f} m", threat.name, threat.radius_m);
+  if (threat.core_m > 0) text += fmt::format(", core {:.0f} m", threat.core_m);
+  if (threat.shape == Threat::Shape::cylinder)
+    text += fmt::format(", from {:.0f} to {:.0f} m", threat.floor_m, threat.top_m);
+  return text;
+}
+
+void draw_threats(Svg& svg, const MapFrame& map, const Site& site) {
+  for (const Threat& threat : site.threats) {
+    const Vec2 at = map(threat.center);
+    svg.circle(at, threat.radius_m * map.units_per_metre(), "threat", extent_of(threat));
+    if (threat.core_m > 0) svg.circle(at, threat.core_m * map.units_per_metre(), "core", extent_of(threat));
+  }
+}
+
+void draw_threat_names(Svg& svg, const MapFrame& map, const Site& site) {
+  for (const Threat& threat : site.threats) {
+    const Vec2 at = map(threat.center);
+    const bool inside = at.x() > 0 && at.y() > 0 && at.x() < svg.width() && at.y() < svg.height();
+    if (inside) svg.text(at + Vec2{0, 5}, threat.name, "label name", Anchor::middle);
+  }
+}
+
+void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
+  if (route.states.size() < 2) return;
+  std::vector<Vec2> line;
+  for (const Vec3& at : drawn_line(route)) line.push_back(map(at));
+  svg.polyline(line, "halo");
+  svg.polyline(line, "route");
+  for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
+}
+
+/// `above` or below the place, never beyond the sides of the drawing.
+void draw_end_label(Svg& svg, const Vec2& at, bool above, std::string_view name) {
+  constexpr double kHalfWord = 45;
+  const double x = std::clamp(at.x(), kHalfWord, svg.width() - kHalfWord);
+  svg.text({x, at.y() + (above ? -18 : 34)}, name, "label", Anchor::middle);
+}
+
+void draw_ends(Svg& svg, const MapFrame& map, const Mission& mission) {
+  const Vec2 start = map(mission.start);
+  const Vec2 goal = map(mission.goal);
+  svg.circle(goal, mission.tolerance_m * map.units_per_metre(), "tolerance",
+             fmt::format("arrival within {:.0f} m", mission.tolerance_m));
+  svg.circle(start, 8, "end");
+  svg.circle(start, 4, "dot");
+  svg.rect(goal - Vec2{7, 7}, {14, 14}, "end");
+  svg.rect(goal - Vec2{3.5, 3.5}, {7, 7}, "dot");
+  const bool start_is_upper = start.y() <= goal.y();
+  draw_end_label(svg, start, start_is_upper, "Start");
+  draw_end_label(svg, goal, !start_is_upper, "Goal");
+}
+
+/// The corner plate that carries scale bar and north arrow lies where least is drawn.
+Vec2 free_corner(const Svg& svg, const MapFrame& map, const Result& result, const Vec2& plate) {
+  std::vector<Vec2> drawn{map(result.site.mission.start), map(result.site.mission.goal)};
+  for (const RouteState& state : result.plan.route.states) drawn.push_back(map(state.position));
+  for (const Threat& threat : result.site.threats) drawn.push_back(map(threat.center));
+  const Vec2 far{svg.width() - plate.x(), svg.height() - plate.y()};
+  const std::array<Vec2, 4> corners{Vec2{0, far.y()}, far, Vec2{0, 0}, Vec2{far.x(), 0}};
+  const auto room = [&](const Vec2& corner) {
+    const Vec2 middle = corner + plate / 2;
+    return std::ranges::min(drawn | std::views::transform([&](const Vec2& p) { return (p - middle).norm(); }));
+  };
+  return *std::ranges::max_element(corners, {}, room);
+}
+
+void draw_scale_and_north(Svg& svg, const MapFrame& map, const Result& result) {
+  const double metres = round_step(svg.width() / map.units_per_metre() / 9);
+  const double length = metres * map.units_per_metre();
+  const Vec2 plate{length + 110, 76};
+  const Vec2 corner = free_corner(svg, map, result, plate);
+  svg.rect(corner, plate, "plate");
+  const Vec2 left = corner + Vec2{24, 54};
+  svg.line(left, left + Vec2{length, 0}, "scale");
+  svg.line(left - Vec2{0, 6}, left + Vec2{0, 6}, "scale");
+  svg.line(left + Vec2{length, -6}, left + Vec2{length, 6}, "scale");
+  const std::string label = metres >= 1000 ? fmt::format("{} km", metres / 1000) : fmt::format("{} m", metres);
+  svg.text(left + Vec2{length / 2, -14}, label, "plain", Anchor::middle);
+  const Vec2 tip = corner + Vec2{length + 66, 10};
+  svg.polygon({tip, tip + Vec2{9, 26}, tip + Vec2{0, 20}, tip + Vec2{-9, 26}}, "north", "grid north");
+  svg.text(tip + Vec2{0, 54}, "N", "plain", Anchor::middle);
+}
+
+std::string key(std::string_view swatch, std::string_view text) {
+  return fmt::format("<li><span class=\"swatch {}\"></span>{}</li>\n", swatch, text);
+}
+
+std::string height_key(const Hillshade& ground) {
+  std::string items;
+  for (const HeightBand& band : ground.bands)
+    items += fmt::format("<span class=\"tint\" style=\"background:rgb({},{},{})\">{:.0f}</span>", band.color[0],
+                         band.color[1], band.color[2], band.from_m);
+  return fmt::format("<li class=\"tints\">Ground from, m:{}</li>\n", items);
+}
+
+struct Shown {
+  const Result& result;
+  const MapFrame& map;
+  const Hillshade& ground;
+  bool barred = false;  ///< Is the straight line?
+};
+
+std::ptrdiff_t threats_outside(const Shown& shown) {
+  return std::ranges::count_if(shown.result.site.threats, [&](const Threat& threat) {
+    const Vec2 center = threat.center.head<2>();
+    const Box2& area = shown.map.area;
+    return (center - center.cwiseMax(area.min).cwiseMin(area.max)).norm() > threat.radius_m;
+  });
+}
+
+std::string legend(const Shown& shown) {
+  const Site& site = shown.result.site;
+  std::string items;
+  if (!shown.result.plan.route.empty()) items += key("s-route", "Route");
+  items += key("s-direct", "Straight line");
+  if (shown.barred) items += key("s-barred", "Straight line barred by ground or a core");
+  if (!site.threats.empty()) items += key("s-threat", "Threat: flying inside costs");
+  if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
+    items += key("s-core", "Core: must not be entered");
+  if (!shown.ground.bands.empty()) items += height_key(shown.ground);
+  if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
+  if (const auto outside = threats_outside(shown); outside > 0)
+    items += fmt::format("<li>{} {} outside this map</li>\n", outside, outside == 1 ? "threat lies" : "threats lie");
+  return fmt::format("<ul class=\"key\">\n{}</ul>\n", items);
+}
+
+/// Why the route is as it is, in a sentence.
+std::string caption(const Shown& shown) {
+  const Result& result = shown.result;
+  if (result.plan.route.empty() || !result.verdict.ok()) return {};
+  std::string text = shown.barred ? "The straight line is barred; the route goes round" : "The route";
+  if (const auto& lowest = result.metrics.min_clearance_m)
+    text += fmt::format("{} stays {} or more above the ground", shown.barred ? " and" : "", quantity(*lowest, "m"));
+  const auto core = std::ranges::find(result.verdict.margins, "threat_core", &Margin::rule);
+  const bool has_core = core != result.verdict.margins.end() && std::isfinite(core->margin);
+  if (has_core) text += fmt::format(" and keeps {} away from every core", quantity(core->margin, "m"));
+  if (!has_core && !result.metrics.min_clearance_m && !shown.barred) return {};
+  return fmt::format("<p class=\"caption\">{}.</p>\n", xml_escape(text));
+}
+
+}  // namespace
+
+std::string map_figure(const Result& result) {
+  const Site& site = result.site;
+  const Route& route = result.plan.route;
+  const MapFrame map = map_frame(site, route, kWidth);
+  Svg svg(kWidth, map.height(), "Map of the ground, the threats and the route");
+  Hillshade ground;
+  if (site.has_ground()) {
+    ground = hillshade(site, map.area, kPictureColumns);
+    svg.image({0, 0}, {svg.width(), svg.height()}, to_png(ground.image), "relief");
+  } else {
+    svg.rect({0, 0}, {svg.width(), svg.height()}, "blank");
+  }
+  draw_threats(svg, map, site);
+  const bool barred = draw_direct_line(svg, map, site);
+  draw_route(svg, map, route);
+  draw_ends(svg, map, site.mission);
+  draw_threat_names(svg, map, site);
+  draw_scale_and_north(svg, map, result);
+  const Shown shown{.result = result, .map = map, .ground = ground, .barred = barred};
+  return fmt::format("{}<figure>\n{}{}</figure>\n", caption(shown), svg.str(), legend(shown));
+}
+
+}  // namespace alate

@@ -1,0 +1,205 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "alate/core/version.hpp"
+#include "alate/out/result.hpp"
+#include "out/notes.hpp"
+#include "out/route_points.hpp"
+
+namespace alate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(); }
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+/// Names come from files: bytes that are not UTF-8 are replaced, never thrown about.
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Json place(const Site& site, const Vec3& where) {
+  const auto geo = site.frame.to_geo(where.head<2>());
+  return {{"x_m", number(where.x())},
+          {"y_m", number(where.y())},
+          {"z_m", number(where.z())},
+          {"lat", geo ? number(geo->lat_deg) : Json()},
+          {"lon", geo ? number(geo->lon_deg) : Json()}};
+}
+
+Json verdict_json(const Site& site, const Verdict& verdict) {
+  Json violations = Json::array();
+  for (const Violation& v : verdict.violations) {
+    violations.push_back({{"rule", v.rule},
+                          {"leg", v.leg},
+                          {"where", place(site, v.where)},
+                          {"value", number(v.value)},
+                          {"limit", number(v.limit)},
+                          {"unit", v.unit}});
+  }
+  Json margins = Json::array();
+  for (const Margin& m : verdict.margins) {
+    margins.push_back({{"rule", m.rule},
+                       {"margin", number(m.margin)},
+                       {"unit", m.unit},
+                       {"leg", m.leg},
+                       {"where", place(site, m.where)}});
+  }
+  Json not_checked = Json::array();
+  for (const NotChecked& n : verdict.not_checked) not_checked.push_back({{"rule", n.rule}, {"why", n.why}});
+  return {{"status", to_string(verdict.status)},
+          {"ok", verdict.ok()},
+          {"violations", violations},
+          {"margins", margins},
+          {"not_checked", not_checked}};
+}
+
+/// Without a route there is nothing to judge: no status, and certainly not ok.
+Json no_verdict() {
+  return {{"status", nullptr},
+          {"ok", false},
+          {"violations", Json::array()},
+          {"margins", Json::array()},
+          {"not_checked", Json::array()}};
+}
+
+Json metrics_json(const Metrics* metrics) {
+  const auto value = [&](double Metrics::* member) { return metrics ? number(metrics->*member) : Json(); };
+  return {{"length_m", value(&Metrics::length_m)},
+          {"climb_m", value(&Metrics::climb_m)},
+          {"descent_m", value(&Metrics::descent_m)},
+          {"threat", value(&Metrics::threat)},
+          {"min_clearance_m", metrics ? number(metrics->min_clearance_m) : Json()},
+          {"corrections", nullptr},
+          {"probability", nullptr}};
+}
+
+Json arc_json(const std::optional<Arc>& arc) {
+  if (!arc) return nullptr;
+  return {{"center_x_m", number(arc->center.x())},
+          {"center_y_m", number(arc->center.y())},
+          {"radius_m", number(arc->radius_m)},
+          {"angle_deg", number(degrees(arc->angle_rad))}};
+}
+
+Json action_json(const std::optional<AttitudeAction>& action) {
+  if (!action) return nullptr;
+  return {{"roll_deg", number(degrees(action->roll_rad))},
+          {"pitch_deg", number(degrees(action->pitch_rad))},
+          {"yaw_deg", number(degrees(action->yaw_rad))}};
+}
+
+Json route_json(const Site& site, const Route& route) {
+  Json states = Json::array();
+  for (const RoutePoint& point : route_points(site, route)) {
+    const Vec3& p = point.state.position;
+    states.push_back({{"x_m", number(p.x())},
+                      {"y_m", number(p.y())},
+                      {"z_m", number(p.z())},
+                      {"lat", point.geo ? number(point.geo->lat_deg) : Json()},
+                      {"lon", point.geo ? number(point.geo->lon_deg) : Json()},
+                      {"agl_m", number(point.agl_m)},
+                      {"leg", to_string(point.state.leg)},
+                      {"arc", arc_json(point.state.arc)},
+                      {"point_id", point.state.point_id ? Json(*point.state.point_id) : Json()},
+                      {"actions", action_json(point.state.action)}});
+  }
+  return states;
+}
+
+Json ground_json(const Site& site) {
+  const GroundNote ground = ground_note(site);
+  return {{"kind", ground.kind},
+          {"terrain", text_or_null(ground.terrain)},
+          {"crs", text_or_null(ground.crs)},
+          {"datum", text_or_null(ground.datum)},
+          {"cell_m", number(ground.cell_m)},
+          {"voids", ground.voids ? Json(*ground.voids) : Json()}};
+}
+
+Json parameters_json(const ParamValues& values) {
+  Json parameters = Json::object();
+  for (const auto& [name, value] : values.all()) {
+    parameters[name] = std::visit(
+        [](const auto& v) -> Json {
+          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return number(v);
+          return v;
+        },
+        value);
+  }
+  return parameters;
+}
+
+Json counters_json(const Result& result) {
+  Json counters{{"candidates", nullptr}, {"iterations", nullptr}};
+  for (const auto& [name, count] : result.plan.counters) counters[name] = count;
+  counters["wall_s"] = number(result.wall_s);
+  counters["threads"] = result.threads;
+  return counters;
+}
+
+}  // namespace
+
+std::string to_json(const Result& result) {
+  const Site& site = result.site;
+  const bool found = !result.plan.route.empty();
+  return dump({{"schema", 1},
+               {"alate", version()},
+               {"scenario", site.scenario.file},
+               {"overrides", site.scenario.overrides},
+               {"outcome", to_string(result.plan.outcome)},
+               {"summary", summary(result)},
+               {"stop", to_string(result.plan.stop)},
+               {"planner", result.planner.name},
+               {"preset", result.planner.preset},
+               {"chosen_by", result.planner.chosen_by},
+               {"why", result.planner.why},
+               {"parameters", parameters_json(result.planner.parameters)},
+               {"seed", result.plan.seed},
+               {"reproducible", result.plan.reproducible},
+               {"cost", found ? number(result.metrics.cost) : Json()},
+               {"lower_bound", number(result.plan.lower_bound)},
+               {"gap", number(gap(result))},
+               {"metrics", metrics_json(found ? &result.metrics : nullptr)},
+               {"verdict", found ? verdict_json(site, result.verdict) : no_verdict()},
+               {"route", route_json(site, result.plan.route)},
+               {"front", Json::array()},
+               {"counters", counters_json(result)},
+               {"frame", site.frame.name()},
+               {"ground", ground_json(site)},
+               {"files", result.files},
+               {"warnings", all_warnings(result)},
+               {"notice", notice(site)}});
+}
+
+std::string to_json(const std::vector<Fault>& faults) {
+  Json errors = Json::array();
+  for (const Fault& fault : faults) {
+    errors.push_back({{"file", text_or_null(fault.file)},
+                      {"line", fault.line > 0 ? Json(fault.line) : Json()},
+                      {"column", fault.column > 0 ? Json(fault.column) : Json()},
+                      {"field", text_or_null(fault.field)},
+                      {"value", text_or_null(fault.value)},
+                      {"limit", text_or_null(fault.limit)},
+                      {"unit", text_or_null(fault.unit)},
+                      {"message", fault.message}});
+  }
+  return dump({{"schema", 1}, {"errors", errors}});
+}
+
+std::string to_json(const Site& site, const Verdict& verdict, const Metrics& metrics) {
+  return dump({{"schema", 1},
+               {"alate", version()},
+               {"scenario", text_or_null(site.scenario.file)},
+               {"overrides", site.scenario.overrides},
+               {"cost", number(metrics.cost)},
+               {"metrics", metrics_json(&metrics)},
+               {"verdict", verdict_json(site, verdict)},
+               {"frame", site.frame.name()},
+               {"ground", ground_json(site)},
+               {"warnings", site.warnings},
+               {"notice", notice(site)}});
+}
+
+}  // namespace alate

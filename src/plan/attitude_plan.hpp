@@ -1,0 +1,21 @@
+// What all planners on the attitude lattice share: guidance, lower bound and the way from actions to a Plan.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "alate/plan/planner.hpp"
+#include "search/search_result.hpp"
+#include "space/attitude.hpp"
+
+namespace alate {
+
+/// Why the lattice cannot serve this problem, naming the missing keys; empty if it can.
+std::string attitude_refusal(const Problem& problem);
+
+/// Builds the space (guided over terrain), runs `search` on it and wraps up what it found. Without a route `why` says
+/// what stands in the way.
+Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step_limit,
+                       const std::function<SearchResult(const AttitudeSpace&)>& search);
+
+}  // namespace alate

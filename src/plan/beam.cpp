@@ -1,0 +1,60 @@
+#include "search/beam.hpp"
+
+#include "plan/attitude_plan.hpp"
+#include "plan/attitude_planners.hpp"
+
+namespace alate {
+
+namespace {
+
+struct BeamPlanner {
+  BeamOptions options;
+  std::size_t step_limit = 0;
+
+  Plan plan(const Problem& problem, RunContext& run) const {
+    return plan_on_attitudes(problem, run, step_limit,
+                             [&](const AttitudeSpace& space) { return Beam(space, options).run(run); });
+  }
+};
+
+std::vector<Parameter> parameters() {
+  return {
+      {.name = "width",
+       .default_value = std::int64_t{8},
+       .min = 1,
+       .max = 8192,
+       .help = "States kept a step in the first pass; every pass doubles it. An iteration is a pass.",
+       .source = "alate"},
+      {.name = "max_width",
+       .default_value = std::int64_t{8192},
+       .min = 1,
+       .max = 65536,
+       .help = "Widest pass; 200 bytes a state, and 24 a candidate.",
+       .source = "alate"},
+      {.name = "step_limit",
+       .default_value = std::int64_t{0},
+       .min = 0,
+       .max = 1e6,
+       .help = "Longest route in steps; 0: 3.4 times the direct distance.",
+       .source = "alate"},
+  };
+}
+
+}  // namespace
+
+PlannerEntry beam_entry() {
+  return {
+      .name = "beam",
+      .help = "Keeps the best few states of every step, in wider and wider passes: the longer, the better.",
+      .can = {.anytime = true, .deterministic = true, .terrain = true, .threats = true, .space = "attitude lattice"},
+      .presets = {{.name = "default", .help = "As the parameters say."}},
+      .parameters = ParamTable(parameters()),
+      .refuses = attitude_refusal,
+      .make = [](const ParamValues& values) {
+        return Planner(BeamPlanner{.options = {.width = static_cast<std::size_t>(values.integer("width")),
+                                               .max_width = static_cast<std::size_t>(values.integer("max_width"))},
+                                   .step_limit = static_cast<std::size_t>(values.integer("step_limit"))});
+      }};
+}
+
+}  // namespace alate

@@ -1,0 +1,35 @@
+#include "alate/plan/registry.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "plan/attitude_planners.hpp"
+
+namespace alate {
+
+const Preset* PlannerEntry::find_preset(std::string_view preset) const {
+  const auto found = std::ranges::find(presets, preset, &Preset::name);
+  return found == presets.end() ? nullptr : &*found;
+}
+
+void Registry::add(PlannerEntry entry) {
+  assert(find(entry.name) == nullptr && !entry.presets.empty());
+  entries_.push_back(std::move(entry));
+}
+
+const PlannerEntry* Registry::find(std::string_view name) const {
+  const auto found = std::ranges::find(entries_, name, &PlannerEntry::name);
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+const Registry& builtin_planners() {
+  static const Registry kRegistry = [] {
+    Registry registry;
+    registry.add(beam_entry());
+    registry.add(greedy_entry());
+    return registry;
+  }();
+  return kRegistry;
+}
+
+}  // namespace alate

@@ -1,0 +1,48 @@
+// Ground, ceiling and threat on coarse cells: what the guidance over terrain is computed on.
+#pragma once
+
+#include <vector>
+
+#include "alate/world/world.hpp"
+#include "space/candidates.hpp"
+
+namespace alate {
+
+/// Square cells over the ground's area. Floor and ceiling are optimistic: the lowest and highest that any sample of
+/// the cell allows. Cells without known ground, or where the band is empty, are blocked.
+class CoarseBand {
+ public:
+  static constexpr int kLayers = 6;         ///< Altitude samples per cell, floor to ceiling.
+  static constexpr int kCells = 12000;      ///< About so many, whatever the area.
+  static constexpr int kSamplesAcross = 4;  ///< Ground samples along a cell's side.
+
+  explicit CoarseBand(const World& world);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
+  double cell_m() const { return cell_m_; }
+  Vec2 center(std::size_t cell) const;
+  /// Column and row as real numbers, whole at cell centres.
+  Vec2 grid_position(const Vec2& xy) const { return (xy - area_.min) / cell_m_ - Vec2(0.5, 0.5); }
+
+  bool blocked(std::size_t cell) const { return !(floor_[cell] <= ceiling_[cell]); }
+  double floor_m(std::size_t cell) const { return floor_[cell]; }
+  double layer_m(std::size_t cell) const { return (ceiling_[cell] - floor_[cell]) / (kLayers - 1); }
+  double altitude(std::size_t cell, int layer) const { return floor_[cell] + layer * layer_m(cell); }
+  /// Exposure per metre; infinite in a core.
+  double threat(std::size_t cell, int layer) const { return threat_[cell * kLayers + static_cast<std::size_t>(layer)]; }
+
+ private:
+  void sample_ground(const World& world, std::size_t cell);
+  void sample_threat(const World& world, std::size_t cell);
+
+  Box2 area_;
+  double cell_m_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  double open_top_m_ = 0;  ///< Stands for the ceiling where none is given.
+  std::vector<double> floor_, ceiling_, threat_;
+};
+
+}  // namespace alate

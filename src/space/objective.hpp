@@ -1,0 +1,38 @@
+// What a leg costs under the scenario's objective.
+#pragma once
+
+#include "alate/core/route.hpp"
+#include "alate/world/world.hpp"
+#include "space/attitude_kernel.hpp"
+
+namespace alate {
+
+/// Both models are sums over legs, so a route's cost is the sum of leg_cost.
+///
+/// physical, metres: length * L + threat * exposure + climb * max(0, dz).
+/// konatowski2019: fuel * |u - goal| + threat * sum level * max(0, r - |u - c|) at the node u that ends the leg; the
+/// start is not counted, the arrival node is (Konatowski, Pawlowski 2019, eqs. (33), (34), (37)).
+class Objective {
+ public:
+  /// `world` must outlive this.
+  explicit Objective(const World& world);
+
+  double leg_cost(const Segment& leg) const;
+  double route_cost(const Route& route) const;
+
+  /// Fills costs of candidates of one expansion; those out of K stay infinite.
+  void add_costs(const Pose& pose, Candidates& out) const;
+
+  const ObjectiveSpec& weights() const { return weights_; }
+  bool is_physical() const { return weights_.model == CostModel::physical; }
+
+ private:
+  bool near_threat(const Vec3& position, double reach_m) const;
+  double node_cost(const Vec3& node) const;
+
+  const World& world_;
+  const ObjectiveSpec& weights_;
+  std::vector<NodeThreat> threats_;
+};
+
+}  // namespace alate
