@@ -13,6 +13,8 @@ inline constexpr std::size_t kMaxAngles = 100;               ///< Angles in one 
 inline constexpr std::size_t kMaxAttitudeMoves = 10'000;     ///< Rolls times pitches times yaws.
 inline constexpr double kMaxMagnitude = 1e9;                 ///< Of any number in a scenario.
 inline constexpr std::size_t kMaxFaults = 100;               ///< Shown one by one; the rest are counted.
+inline constexpr std::size_t kMaxRouteBytes = 67'108'864;    ///< 64 MiB of a route or mission file.
+inline constexpr std::size_t kMaxRouteStates = 100'000;      ///< Positions of one route.
 
 inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
 /// Raster heights outside these are no ground on Earth but voids that nobody marked as such.
