@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <memory>
 
 namespace alate {
 
@@ -34,8 +35,9 @@ NumberText parse_number(std::string_view text) {
   if (body.empty() || !(is_digit(body[0]) || body[0] == '.')) return {.problem = "must be a number"};
 
   double value = 0;
-  const char* end = body.data() + body.size();
-  const auto [stopped, error] = std::from_chars(body.data(), end, value);
+  const char* begin = std::to_address(body.begin());
+  const char* end = std::to_address(body.end());
+  const auto [stopped, error] = std::from_chars(begin, end, value);
   if (stopped != end || error == std::errc::invalid_argument) return {.problem = "must be a number"};
   if (error == std::errc::result_out_of_range) return {.problem = "is too large or too small for a number"};
   return {.value = negative ? -value : value};

@@ -68,6 +68,7 @@ Fault fault_at(const ParamSetting& setting, std::string message) {
 
 Fault unknown(const ParamSetting& setting, const std::vector<Parameter>& parameters) {
   std::vector<std::string> names;
+  names.reserve(parameters.size());
   for (const Parameter& known : parameters) names.push_back(known.name);
   const std::string near = nearest(setting.name, names);
   return fault_at(setting,

@@ -38,16 +38,14 @@ double straight_spacings(double bend) {
   return length;
 }
 
-/// First parameter after `t` at which from + t along is a whole number. A line less than 1e-9 of the leg ahead
-/// is taken as passed: rounding puts the line just crossed there.
+/// First parameter after `t` at which from + t along, not negative, is a whole number. A line less than 1e-9 of
+/// the leg ahead is taken as passed: rounding puts the line just crossed there.
 double next_line(double from, double along, double t) {
   constexpr double kPassed = 1e-9;
   if (along == 0) return std::numeric_limits<double>::infinity();
-  const double step = along > 0 ? 1 : -1;
-  const double at = from + t * along;
-  const double line = along > 0 ? std::floor(at) + 1 : std::ceil(at) - 1;
+  const double line = static_cast<int>(from + t * along) + (along > 0 ? 1 : 0);
   const double crossing = (line - from) / along;
-  return crossing > t + kPassed ? crossing : (line + step - from) / along;
+  return crossing > t + kPassed ? crossing : crossing + 1 / std::abs(along);
 }
 
 }  // namespace
@@ -72,30 +70,12 @@ PostMap PostMap::lattice(const Box2& area, double spacing_m, int columns, std::v
   return map;
 }
 
-Vec2 PostMap::operator()(const Vec2& xy) const {
-  if (knots_.empty())
-    return {affine_[0] + affine_[1] * xy.x() + affine_[2] * xy.y(),
-            affine_[3] + affine_[4] * xy.x() + affine_[5] * xy.y()};
-  if (!area_.contains(xy)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
-  const Vec2 at = (xy - area_.min) * per_spacing_;
-  const int i = std::min(static_cast<int>(at.x()), columns_ - 2);
-  const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
-  const double u = at.x() - i;
-  const double v = at.y() - j;
-  const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(j) * columns_ + i;
-  const Vec2* high = low + columns_;
-  // The third corner of the triangle: right below the diagonal, or left above it.
-  if (u >= v) return low[0] + u * (low[1] - low[0]) + v * (high[1] - low[1]);
-  return low[0] + v * (high[0] - low[0]) + u * (high[1] - high[0]);
-}
-
-double PostMap::straight_until(const Vec2& a, const Vec2& b, double t) const {
-  if (knots_.empty()) return 1;
+double PostMap::next_bend(const Vec2& a, const Vec2& b, double t) const {
   const Vec2 from = (a - area_.min) * per_spacing_;
   const Vec2 along = (b - a) * per_spacing_;
   const double across = next_line(from.x(), along.x(), t);
   const double up = next_line(from.y(), along.y(), t);
-  const double diagonal = next_line(from.x() - from.y(), along.x() - along.y(), t);
+  const double diagonal = next_line(from.x() - from.y() + rows_, along.x() - along.y(), t);
   return std::min({across, up, diagonal, 1.0});
 }
 

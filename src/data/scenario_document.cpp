@@ -69,6 +69,17 @@ class TreeBuilder final : public YAML::EventHandler {
                        .message = std::move(message)});
   }
 
+  /// Dotted path of a key in the innermost open map.
+  std::string path_of(const std::string& key) const {
+    std::string path;
+    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
+      const Level& level = levels_[i];
+      const bool in_list = level.node.kind == Node::Kind::list;
+      path += (in_list ? std::to_string(level.node.children.size()) : level.key.text) + ".";
+    }
+    return path + key;
+  }
+
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (!tag.empty() && tag != "?" && tag != "!") report(place_of(mark), "YAML tags are not supported");
   }
@@ -114,7 +125,8 @@ class TreeBuilder final : public YAML::EventHandler {
     if (key.kind == Node::Kind::broken) return;
     if (key.kind != Node::Kind::scalar) return report(key.place, "a key must be a word");
     const auto [first, is_new] = level.first_lines.emplace(key.text, key.place.line);
-    if (!is_new) return report(key.place, fmt::format("given twice, first in line {}", first->second), key.text);
+    if (!is_new)
+      return report(key.place, fmt::format("given twice, first in line {}", first->second), path_of(key.text));
     node.key = key.text;
     node.key_place = key.place;
     level.node.children.push_back(std::move(node));

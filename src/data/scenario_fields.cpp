@@ -35,76 +35,79 @@ Group group(std::optional<Struct>& value) {
 }
 
 template <class Struct>
-Groups groups(std::vector<Struct>& values) {
-  return {.count = values.size(), .at = [&values](std::size_t index) {
+Groups groups(std::vector<Struct>& values, std::size_t least = 0) {
+  return {.count = values.size(), .least = least, .at = [&values](std::size_t index) {
             if (values.size() <= index) values.resize(index + 1);
             return describe(values[index]);
           }};
 }
 
 Description describe(FrameSpec& frame) {
-  return {
-      .fields = {{"crs", "",
-                  "\"auto\" takes the UTM zone of the midpoint of start and goal, which must have lat and "
-                  "lon; else any projected CRS in metres, such as \"EPSG:21781\".",
-                  text(frame.crs), false, !frame.origin && !frame.local},
-                 {"origin", "", "A transverse Mercator of scale 1 around this point, which becomes (0, 0).",
-                  group(frame.origin)},
-                 {"local", "", "true: plain metres with no place on Earth.", flag(frame.local), false, frame.local}},
-      .one_of = {{"crs"}, {"origin"}, {"local"}}};
+  return {.fields = {written_if(
+                         !frame.origin && !frame.local,
+                         field("crs", "",
+                               "\"auto\" takes the UTM zone of the midpoint of start and goal, which must have lat and "
+                               "lon; else any projected CRS in metres, such as \"EPSG:21781\".",
+                               text(frame.crs))),
+                     field("origin", "", "A transverse Mercator of scale 1 around this point, which becomes (0, 0).",
+                           group(frame.origin)),
+                     written_if(frame.local,
+                                field("local", "", "true: plain metres with no place on Earth.", flag(frame.local)))},
+          .one_of = {{"crs"}, {"origin"}, {"local"}}};
 }
 
 Description describe(GeoPoint& point) {
-  return {.fields = {{"lat", "deg", "Latitude, WGS 84.", number(point.lat_deg, kLatitude), true},
-                     {"lon", "deg", "Longitude, WGS 84.", number(point.lon_deg, kLongitude), true}}};
+  return {.fields = {required(field("lat", "deg", "Latitude, WGS 84.", number(point.lat_deg, kLatitude))),
+                     required(field("lon", "deg", "Longitude, WGS 84.", number(point.lon_deg, kLongitude)))}};
 }
 
 Description describe(TerrainSpec& terrain) {
-  return {.fields = {{"dem", "", "Raster of ground heights above mean sea level, in any CRS; relative to this file.",
-                      text(terrain.dem, Text::Use::path)},
-                     {"peaks", "", "Ground made of Gaussian hills, in a frame with an origin or a local one.",
-                      groups(terrain.peaks)},
-                     {"combine", "", "How peaks are laid over each other.", choice(terrain.combine, {"sum", "max"}),
-                      false, !terrain.peaks.empty()},
-                     {"extent_m", "m", "Width and height of the ground made of peaks, from (0, 0).",
-                      numbers(terrain.extent_m, above(0))},
-                     {"clearance_m", "m", "Least height of every leg above ground.",
-                      number(terrain.clearance_m, at_least(0))},
-                     {"ceiling_agl_m", "m", "Greatest height above ground; above clearance_m.",
-                      number(terrain.ceiling_agl_m, above(0))},
-                     {"ceiling_amsl_m", "m", "Greatest height above mean sea level.", number(terrain.ceiling_amsl_m)}},
-          .one_of = {{"dem"}, {"peaks", "extent_m"}}};
+  return {
+      .fields = {field("dem", "", "Raster of ground heights above mean sea level, in any CRS; relative to this file.",
+                       text(terrain.dem, Text::Use::path)),
+                 field("peaks", "", "Ground made of Gaussian hills, in a frame with an origin or a local one.",
+                       groups(terrain.peaks, 1)),
+                 written_if(!terrain.peaks.empty(), field("combine", "", "How peaks are laid over each other.",
+                                                          choice(terrain.combine, {"sum", "max"}))),
+                 field("extent_m", "m", "Width and height of the ground made of peaks, from (0, 0).",
+                       numbers(terrain.extent_m, above(0))),
+                 field("clearance_m", "m", "Least height of every leg above ground.",
+                       number(terrain.clearance_m, at_least(0))),
+                 field("ceiling_agl_m", "m", "Greatest height above ground; above clearance_m.",
+                       number(terrain.ceiling_agl_m, above(0))),
+                 field("ceiling_amsl_m", "m", "Greatest height above mean sea level.", number(terrain.ceiling_amsl_m))},
+      .one_of = {{"dem"}, {"peaks", "extent_m"}}};
 }
 
 Description describe(PeakSpec& peak) {
-  return {.fields = {{"center_m", "m", "Top of the hill, x and y.", numbers(peak.center_m), true},
-                     {"height_m", "m", "Height h of the hill.", number(peak.height_m, at_least(0)), true},
-                     {"slope_m", "m", "Widths sx and sy of h exp(-((x-cx)/sx)^2 - ((y-cy)/sy)^2).",
-                      numbers(peak.slope_m, above(0)), true}}};
+  return {.fields = {required(field("center_m", "m", "Top of the hill, x and y.", numbers(peak.center_m))),
+                     required(field("height_m", "m", "Height h of the hill.", number(peak.height_m, at_least(0)))),
+                     required(field("slope_m", "m", "Widths sx and sy of h exp(-((x-cx)/sx)^2 - ((y-cy)/sy)^2).",
+                                    numbers(peak.slope_m, above(0))))}};
 }
 
 Description describe_place(PlaceSpec& place) {
-  return {.fields = {{"position_m", "m", "x east, y north in the frame, z above mean sea level.",
-                      numbers(place.position_m)},
-                     {"lat", "deg", "Latitude, WGS 84.", number(place.lat_deg, kLatitude)},
-                     {"lon", "deg", "Longitude, WGS 84.", number(place.lon_deg, kLongitude)},
-                     {"amsl_m", "m", "Height above mean sea level.", number(place.amsl_m)},
-                     {"agl_m", "m", "Height above ground; needs terrain.", number(place.agl_m)}},
+  return {.fields = {field("position_m", "m", "x east, y north in the frame, z above mean sea level.",
+                           numbers(place.position_m)),
+                     field("lat", "deg", "Latitude, WGS 84.", number(place.lat_deg, kLatitude)),
+                     field("lon", "deg", "Longitude, WGS 84.", number(place.lon_deg, kLongitude)),
+                     field("amsl_m", "m", "Height above mean sea level.", number(place.amsl_m)),
+                     field("agl_m", "m", "Height above ground; needs terrain.", number(place.agl_m))},
           .one_of = {{"position_m"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}}};
 }
 
 Description describe(StartSpec& start) {
   Description description = describe_place(start.place);
-  description.fields.push_back({"heading_deg", "deg",
-                                "Heading at the start, clockwise from grid north (+y). Not given: towards the goal.",
-                                number(start.heading_deg, from_to(-360, 360))});
+  description.fields.push_back(
+      field("heading_deg", "deg", "Heading at the start, clockwise from grid north (+y). Not given: towards the goal.",
+            number(start.heading_deg, from_to(-360, 360))));
   return description;
 }
 
 Description describe(GoalSpec& goal) {
   Description description = describe_place(goal.place);
   description.fields.push_back(
-      {"tolerance_m", "m", "A route that ends this near has arrived.", number(goal.tolerance_m, at_least(0))});
+      field("tolerance_m", "m", "A route that ends this near has arrived.", number(goal.tolerance_m, at_least(0))));
   return description;
 }
 
@@ -113,43 +116,46 @@ Description describe(VehicleSpec& vehicle) {
   const Range steepness = between(0, 90);
   const Range rotation = from_to(-90, 90);
   return {
-      .fields = {{"speed_mps", "m/s", "Speed over ground.", number(vehicle.speed_mps, positive)},
-                 {"turn_radius_m", "m", "Least radius of a turn.", number(vehicle.turn_radius_m, positive)},
-                 {"climb_deg", "deg", "Steepest climb.", number(vehicle.climb_deg, steepness)},
-                 {"descent_deg", "deg", "Steepest descent.", number(vehicle.descent_deg, steepness)},
-                 {"range_m", "m", "Greatest length of the route.", number(vehicle.range_m, positive)},
-                 {"step_m", "m", "Length of one move on the attitude lattice.", number(vehicle.step_m, positive)},
-                 {"roll_deg", "deg", "Rolls of one move; right wing down is positive.",
-                  numbers(vehicle.roll_deg, rotation)},
-                 {"pitch_deg", "deg", "Pitches of one move; nose up is positive.",
-                  numbers(vehicle.pitch_deg, rotation)},
-                 {"yaw_deg", "deg", "Yaws of one move; to the right is positive.", numbers(vehicle.yaw_deg, rotation)}},
+      .fields = {field("speed_mps", "m/s", "Speed over ground.", number(vehicle.speed_mps, positive)),
+                 field("turn_radius_m", "m", "Least radius of a turn.", number(vehicle.turn_radius_m, positive)),
+                 field("climb_deg", "deg", "Steepest climb.", number(vehicle.climb_deg, steepness)),
+                 field("descent_deg", "deg", "Steepest descent.", number(vehicle.descent_deg, steepness)),
+                 field("range_m", "m", "Greatest length of the route.", number(vehicle.range_m, positive)),
+                 field("step_m", "m", "Length of one move on the attitude lattice.", number(vehicle.step_m, positive)),
+                 field("roll_deg", "deg", "Rolls of one move; right wing down is positive.",
+                       numbers(vehicle.roll_deg, rotation)),
+                 field("pitch_deg", "deg", "Pitches of one move; nose up is positive.",
+                       numbers(vehicle.pitch_deg, rotation)),
+                 field("yaw_deg", "deg", "Yaws of one move; to the right is positive.",
+                       numbers(vehicle.yaw_deg, rotation))},
       .one_of = {{}, {"step_m", "roll_deg", "pitch_deg", "yaw_deg"}}};
 }
 
 Description describe(ThreatSpec& threat) {
   return {
-      .fields = {{"name", "", "Must be unique. Not given: \"threat 1\" for the first, and so on.",
-                  text(threat.name, Text::Use::label)},
-                 {"center_m", "m", "Centre of a sphere: x, y, z in the frame.", numbers(threat.center_m)},
-                 {"lat", "deg", "Latitude of a sphere's centre, WGS 84.", number(threat.lat_deg, kLatitude)},
-                 {"lon", "deg", "Longitude of a sphere's centre, WGS 84.", number(threat.lon_deg, kLongitude)},
-                 {"amsl_m", "m", "Height of a sphere's centre above mean sea level.", number(threat.amsl_m)},
-                 {"agl_m", "m", "Height of a sphere's centre above ground; needs terrain.", number(threat.agl_m)},
-                 {"cylinder", "", "An upright cylinder in place of a sphere.", group(threat.cylinder)},
-                 {"radius_m", "m", "The threat is felt within this distance.", number(threat.radius_m, above(0)), true},
-                 {"level", "", "How bad the threat is.", number(threat.level, at_least(0))},
-                 {"core_m", "m", "No leg may come this near; at most radius_m. 0: no core.",
-                  number(threat.core_m, at_least(0))}},
+      .fields = {field("name", "", "Must be unique. Not given: \"threat 1\" for the first, and so on.",
+                       text(threat.name, Text::Use::label)),
+                 field("center_m", "m", "Centre of a sphere: x, y, z in the frame.", numbers(threat.center_m)),
+                 field("lat", "deg", "Latitude of a sphere's centre, WGS 84.", number(threat.lat_deg, kLatitude)),
+                 field("lon", "deg", "Longitude of a sphere's centre, WGS 84.", number(threat.lon_deg, kLongitude)),
+                 field("amsl_m", "m", "Height of a sphere's centre above mean sea level.", number(threat.amsl_m)),
+                 field("agl_m", "m", "Height of a sphere's centre above ground; needs terrain.", number(threat.agl_m)),
+                 field("cylinder", "", "An upright cylinder in place of a sphere.", group(threat.cylinder)),
+                 required(field("radius_m", "m", "The threat is felt within this distance.",
+                                number(threat.radius_m, above(0)))),
+                 field("level", "", "How bad the threat is.", number(threat.level, at_least(0))),
+                 field("core_m", "m", "No leg may come this near; at most radius_m. 0: no core.",
+                       number(threat.core_m, at_least(0)))},
       .one_of = {{"center_m"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}, {"cylinder"}}};
 }
 
 Description describe(CylinderSpec& cylinder) {
-  return {.fields = {{"center_m", "m", "Axis, x and y in the frame.", numbers(cylinder.center_m)},
-                     {"lat", "deg", "Latitude of the axis, WGS 84.", number(cylinder.lat_deg, kLatitude)},
-                     {"lon", "deg", "Longitude of the axis, WGS 84.", number(cylinder.lon_deg, kLongitude)},
-                     {"floor_m", "m", "Lower end above mean sea level.", number(cylinder.floor_m), true},
-                     {"top_m", "m", "Upper end above mean sea level; above floor_m.", number(cylinder.top_m), true}},
+  return {.fields = {field("center_m", "m", "Axis, x and y in the frame.", numbers(cylinder.center_m)),
+                     field("lat", "deg", "Latitude of the axis, WGS 84.", number(cylinder.lat_deg, kLatitude)),
+                     field("lon", "deg", "Longitude of the axis, WGS 84.", number(cylinder.lon_deg, kLongitude)),
+                     required(field("floor_m", "m", "Lower end above mean sea level.", number(cylinder.floor_m))),
+                     required(field("top_m", "m", "Upper end above mean sea level; above floor_m.",
+                                    number(cylinder.top_m)))},
           .one_of = {{"center_m"}, {"lat", "lon"}}};
 }
 
@@ -160,42 +166,46 @@ Description describe(ObjectiveSpec& objective) {
     objective.model = static_cast<CostModel>(given);
     objective.threat = objective.model == CostModel::physical ? 20 : 0.5;
   };
-  return {.fields = {{"model", "",
-                      "physical: metres, length * L + threat * exposure + climb * ascent. konatowski2019: "
-                      "fuel * distance to the goal + threat * depth in threats, summed over nodes.",
-                      model},
-                     {"length", "", "Weight of the route's length; physical only.",
-                      number(objective.length, at_least(0)), false, physical},
-                     {"threat", "", "Weight of the exposure to threats; 0.5 if not given under konatowski2019.",
-                      number(objective.threat, at_least(0))},
-                     {"climb", "", "Weight of the metres climbed; physical only.", number(objective.climb, at_least(0)),
-                      false, physical},
-                     {"fuel", "", "Weight of the distance to the goal; konatowski2019 only. fuel + threat is 1.",
-                      number(objective.fuel, from_to(0, 1)), false, !physical}}};
+  return {.fields = {field("model", "",
+                           "physical: metres, length * L + threat * exposure + climb * ascent. konatowski2019: "
+                           "fuel * distance to the goal + threat * depth in threats, summed over nodes.",
+                           model),
+                     written_if(physical, field("length", "", "Weight of the route's length; physical only.",
+                                                number(objective.length, at_least(0)))),
+                     field("threat", "", "Weight of the exposure to threats; 0.5 if not given under konatowski2019.",
+                           number(objective.threat, at_least(0))),
+                     written_if(physical, field("climb", "", "Weight of the metres climbed; physical only.",
+                                                number(objective.climb, at_least(0)))),
+                     written_if(!physical,
+                                field("fuel", "",
+                                      "Weight of the distance to the goal; konatowski2019 only. fuel + threat is 1.",
+                                      number(objective.fuel, from_to(0, 1))))}};
 }
 
 Description describe(PlannerSpec& planner) {
-  return {.fields = {{"name", "", "As `alate planners` lists them.", text(planner.name), true},
-                     {"preset", "", "Set of parameters of that planner. Not given: its first.", text(planner.preset)},
-                     {"parameters", "", "Single parameters, over those of the preset.", Words{&planner.parameters}}}};
+  return {
+      .fields = {required(field("name", "", "As `alate planners` lists them.", text(planner.name))),
+                 field("preset", "", "Set of parameters of that planner. Not given: its first.", text(planner.preset)),
+                 field("parameters", "", "Single parameters, over those of the preset.", Words{&planner.parameters})}};
 }
 
 }  // namespace
 
 Description describe(Scenario& scenario) {
   return {
-      .fields = {{"frame", "", "The one metric frame the route is planned in.", group(scenario.frame)},
-                 {"terrain", "", "The ground and the band above it.", group(scenario.terrain)},
-                 {"start", "", "Where the flight begins.", group(scenario.start), true},
-                 {"goal", "", "Where it ends.", group(scenario.goal), true},
-                 {"vehicle", "",
-                  "Limits of the aircraft; what is not given is not checked. A planner on the attitude lattice "
-                  "needs step_m and all three lists of angles.",
-                  group(scenario.vehicle)},
-                 {"threats", "", "Spheres and cylinders to be avoided.", groups(scenario.threats)},
-                 {"objective", "", "What a good route is.", group(scenario.objective)},
-                 {"planner", "", "The planner, unless the command line names one. Not given: chosen for the scenario.",
-                  group(scenario.planner)}}};
+      .fields = {
+          field("frame", "", "The one metric frame the route is planned in.", group(scenario.frame)),
+          field("terrain", "", "The ground and the band above it.", group(scenario.terrain)),
+          required(field("start", "", "Where the flight begins.", group(scenario.start))),
+          required(field("goal", "", "Where it ends.", group(scenario.goal))),
+          field("vehicle", "",
+                "Limits of the aircraft; what is not given is not checked. A planner on the attitude lattice "
+                "needs step_m and all three lists of angles.",
+                group(scenario.vehicle)),
+          field("threats", "", "Spheres and cylinders to be avoided.", groups(scenario.threats)),
+          field("objective", "", "What a good route is.", group(scenario.objective)),
+          field("planner", "", "The planner, unless the command line names one. Not given: chosen for the scenario.",
+                group(scenario.planner))}};
 }
 
 std::string text_of(const std::vector<std::vector<std::string>>& one_of) {

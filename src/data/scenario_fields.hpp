@@ -61,6 +61,7 @@ struct Group {
 };
 struct Groups {
   std::size_t count = 0;
+  std::size_t least = 0;                       ///< Up to kMaxListItems.
   std::function<Description(std::size_t)> at;  ///< Makes items up to this index.
 };
 struct Words {

@@ -42,7 +42,7 @@ Json schema_of(const Numbers& slot) {
 Json schema_of(const Choice& slot) { return {{"enum", slot.words}, {"default", slot.words[slot.value]}}; }
 Json schema_of(const Group& slot) { return schema_of(slot.open()); }
 Json schema_of(const Groups& slot) {
-  return {{"type", "array"}, {"items", schema_of(slot.at(0))}, {"maxItems", kMaxListItems}};
+  return {{"type", "array"}, {"items", schema_of(slot.at(0))}, {"minItems", slot.least}, {"maxItems", kMaxListItems}};
 }
 Json schema_of(const Words& /*slot*/) {
   return {{"type", "object"}, {"additionalProperties", {{"type", {"string", "number", "boolean"}}}}};

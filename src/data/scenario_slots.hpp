@@ -1,4 +1,4 @@
-// Makes the slots of a description from members of a struct.
+// Makes the fields of a description from members of a struct.
 #pragma once
 
 #include <algorithm>
@@ -56,6 +56,20 @@ Choice choice(Enum& value, std::vector<std::string> words) {
   return {.words = std::move(words), .value = static_cast<std::size_t>(value), .set = [&value](std::size_t given) {
             value = static_cast<Enum>(given);
           }};
+}
+
+inline Field field(std::string key, std::string unit, std::string help, Slot slot) {
+  return {.key = std::move(key), .unit = std::move(unit), .help = std::move(help), .slot = std::move(slot)};
+}
+
+inline Field required(Field field) {
+  field.required = true;
+  return field;
+}
+
+inline Field written_if(bool condition, Field field) {
+  field.written = condition;
+  return field;
 }
 
 }  // namespace alate

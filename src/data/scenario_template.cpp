@@ -33,7 +33,7 @@ Scenario sample() {
 
 std::string scenario_template() {
   return "# A scenario for alate. Every key stands below; one that begins with # is not given.\n"
-         "# Lengths are metres, heights are above mean sea level, angles are degrees.\n\n" +
+         "# Lengths are metres, heights are above mean sea level, angles are degrees.\n" +
          write_scenario(sample(), Comments::all);
 }
 

@@ -18,9 +18,10 @@ class Writer {
  public:
   explicit Writer(Comments comments) : commented_(comments == Comments::all) {}
 
-  std::string write(const Description& description) {
+  /// `gap` comes before every field.
+  std::string write(const Description& description, const char* gap = "") {
     std::string text;
-    for (const Field& field : description.fields) text += write(field);
+    for (const Field& field : description.fields) text.append(gap).append(write(field));
     return text;
   }
 
@@ -28,13 +29,11 @@ class Writer {
   std::string write(const Field& field) {
     const std::string value =
         field.written ? std::visit([&](const auto& slot) { return value_of(slot); }, field.slot) : "";
-    if (!value.empty()) return fmt::format("{}{}:{}\n", comment(field), field.key, value);
-    return commented_ ? fmt::format("{}# {}:{}\n", comment(field), field.key, keys_of(field.slot)) : "";
-  }
-
-  std::string comment(const Field& field) const {
-    if (!commented_) return "";
-    return field.unit.empty() ? fmt::format("# {}\n", field.help) : fmt::format("# {} ({})\n", field.help, field.unit);
+    if (!commented_) return value.empty() ? "" : fmt::format("{}:{}\n", field.key, value);
+    const std::string help = field.unit.empty() ? field.help : fmt::format("{} ({})", field.help, field.unit);
+    if (value.starts_with('\n')) return fmt::format("# {}\n{}:{}\n", help, field.key, value);
+    if (!value.empty()) return fmt::format("{}:{}  # {}\n", field.key, value, help);
+    return fmt::format("# {}:{}  # {}\n", field.key, keys_of(field.slot), help);
   }
 
   /// The keys of a group that is not given: " {lat: , lon: }".
@@ -58,9 +57,13 @@ class Writer {
     const std::string inner = slot.present ? write(slot.open()) : "";
     return inner.empty() ? "" : fmt::format("\n{}", indented(inner, "  "));
   }
+  /// Only the first item of a list carries comments.
   std::string value_of(const Groups& slot) {
     std::string items;
-    for (std::size_t i = 0; i < slot.count; ++i) items += fmt::format("\n{}", indented(write(slot.at(i)), "  - "));
+    for (std::size_t i = 0; i < slot.count; ++i) {
+      Writer writer(commented_ && i == 0 ? Comments::all : Comments::none);
+      items += fmt::format("\n{}", indented(writer.write(slot.at(i)), "  - "));
+    }
     return items;
   }
   std::string value_of(const Words& slot) {
@@ -69,7 +72,7 @@ class Writer {
     return inner;
   }
 
-  /// Indents every line, the first with `lead`; drops the last line end.
+  /// Every line indented, the first by `lead`; without the last line end.
   static std::string indented(const std::string& text, const std::string& lead) {
     std::string result = lead;
     for (std::size_t i = 0; i + 1 < text.size(); ++i) {
@@ -84,7 +87,9 @@ class Writer {
 
 }  // namespace
 
-std::string write_scenario(Scenario scenario, Comments comments) { return Writer(comments).write(describe(scenario)); }
+std::string write_scenario(Scenario scenario, Comments comments) {
+  return Writer(comments).write(describe(scenario), comments == Comments::all ? "\n" : "");
+}
 
 std::string to_yaml(const Scenario& scenario) { return write_scenario(scenario, Comments::none); }
 

@@ -21,23 +21,32 @@ std::string no_route(const Plan& plan) {
   return sentence(plan.why.empty() ? opening : fmt::format("{}: {}", opening, plan.why));
 }
 
-std::string judgement(const Verdict& verdict) {
+std::vector<std::string> broken_rules(const Verdict& verdict) {
   std::vector<std::string> names;
   for (const Violation& violation : verdict.violations) {
     if (std::ranges::find(names, violation.rule) == names.end()) names.push_back(violation.rule);
   }
+  return names;
+}
+
+std::vector<std::string> unknown_rules(const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const NotChecked& rule : verdict.not_checked) {
+    if (rule.unknown) names.push_back(rule.rule);
+  }
+  return names;
+}
+
+std::string judgement(const Verdict& verdict) {
   switch (verdict.status) {
     case Status::pass:
       return fmt::format(" that keeps all {} rules that were judged", verdict.margins.size());
     case Status::fail:
-      return fmt::format(", but it must not be flown: it breaks {}", fmt::join(names, ", "));
+      return fmt::format(", but it must not be flown: it breaks {}", fmt::join(broken_rules(verdict), ", "));
     case Status::unknown:
       break;
   }
-  for (const NotChecked& rule : verdict.not_checked) {
-    if (rule.unknown) names.push_back(rule.rule);
-  }
-  return fmt::format(", but the data do not reach far enough to judge {}", fmt::join(names, ", "));
+  return fmt::format(", but the data do not reach far enough to judge {}", fmt::join(unknown_rules(verdict), ", "));
 }
 
 }  // namespace

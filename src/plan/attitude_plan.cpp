@@ -26,6 +26,12 @@ Route route_of(const AttitudeSpace& space, const std::vector<std::size_t>& actio
   return route;
 }
 
+/// Is there anything between start and goal that the straight line does not know of? The node model has no such field.
+bool needs_guidance(const Problem& problem) {
+  const Site& site = problem.world.site();
+  return problem.objective.model == CostModel::physical && (site.has_ground() || !site.threats.empty());
+}
+
 /// Does any candidate leave the start?
 bool can_leave(const AttitudeSpace& space) {
   Candidates candidates;
@@ -76,8 +82,7 @@ Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step
                        const std::function<SearchResult(const AttitudeSpace&)>& search) {
   Plan plan{.seed = run.seed()};
   std::optional<CostToGo> guidance;
-  if (problem.world.site().has_ground() && problem.objective.model == CostModel::physical)
-    guidance.emplace(problem.world, run);
+  if (needs_guidance(problem)) guidance.emplace(problem.world, run);
   const AttitudeSpace space(problem.world, guidance ? &*guidance : nullptr, step_limit);
   plan.lower_bound = space.problem_bound();
 

@@ -13,8 +13,8 @@ namespace alate {
 /// Why the lattice cannot serve this problem, naming the missing keys; empty if it can.
 std::string attitude_refusal(const Problem& problem);
 
-/// Builds the space (guided over terrain), runs `search` on it and wraps up what it found. Without a route `why` says
-/// what stands in the way.
+/// Builds the space (guided round terrain and threats), runs `search` on it and wraps up what it found. Without a route
+/// `why` says what stands in the way.
 Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step_limit,
                        const std::function<SearchResult(const AttitudeSpace&)>& search);
 

@@ -23,7 +23,7 @@ namespace alate {
 struct BeamOptions {
   std::size_t width = 8;             ///< Of the first pass.
   std::size_t max_width = 8192;      ///< Of the last pass.
-  std::uint64_t default_passes = 7;  ///< Where neither a budget nor a time limit is given.
+  std::uint64_t default_passes = 6;  ///< Where neither a budget nor a time limit is given.
 };
 
 template <Space S>
@@ -113,24 +113,33 @@ class Beam {
     next_.clear();
     bins_.clear();
     const std::size_t group = 2 * width;
-    auto from = ranks_.begin();
-    while (from != ranks_.end() && next_.size() < width && run.keep_going()) {
-      const auto to = from + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(group), ranks_.end() - from);
-      if (to != ranks_.end()) std::nth_element(from, to, ranks_.end());
-      std::sort(from, to);
-      test(from, static_cast<std::size_t>(to - from), run);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(to - from); ++i) take(tested_[i], width);
+    std::size_t sorted = 0;
+    std::size_t from = 0;
+    while (from < ranks_.size() && next_.size() < width && run.keep_going()) {
+      if (from == sorted) sorted = sort_more(sorted, std::max(group, sorted));
+      const std::size_t to = std::min(from + group, sorted);
+      test(from, to, run);
+      for (std::size_t i = 0; i < to - from; ++i) take(tested_[i], width);
       from = to;
     }
-    dropped_ = dropped_ || from != ranks_.end();
+    dropped_ = dropped_ || from < ranks_.size();
     std::swap(beam_, next_);
   }
 
-  template <class Iterator>
-  void test(Iterator from, std::size_t count, RunContext& run) {
-    tested_.resize(count);
-    run.executor().for_ranges(count, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) tested_[i] = tested(from[static_cast<std::ptrdiff_t>(i)]);
+  /// Puts the next `count` ranks in order; the rest stays as it is, as most are never looked at.
+  std::size_t sort_more(std::size_t sorted, std::size_t count) {
+    const auto from = ranks_.begin() + static_cast<std::ptrdiff_t>(sorted);
+    const std::size_t end = std::min(sorted + count, ranks_.size());
+    const auto to = ranks_.begin() + static_cast<std::ptrdiff_t>(end);
+    if (to != ranks_.end()) std::nth_element(from, to, ranks_.end());
+    std::sort(from, to);
+    return end;
+  }
+
+  void test(std::size_t from, std::size_t to, RunContext& run) {
+    tested_.resize(to - from);
+    run.executor().for_ranges(to - from, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) tested_[i] = tested(ranks_[from + i]);
     });
   }
 

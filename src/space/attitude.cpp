@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "space/approach.hpp"
 #include "space/lower_bound.hpp"
 
 namespace alate {
@@ -25,6 +26,12 @@ LegLimits leg_limits(const Vehicle& vehicle) {
   if (vehicle.descent_rad) limits.min_sine = -std::sin(std::min(*vehicle.descent_rad, kPi / 2));
   limits.turn_radius_m = vehicle.turn_radius_m.value_or(0);
   return limits;
+}
+
+/// Radius of the polygon that the sharpest moves in a row fly.
+double tightest_turn(const Vehicle& vehicle, const RotationSet& rotations) {
+  const double half_turn = std::max(rotations.largest_turn() / 2, 1e-6);
+  return std::max(vehicle.turn_radius_m.value_or(0), *vehicle.step_m / (2 * std::sin(half_turn)));
 }
 
 std::size_t automatic_limit(const Site& site) {
@@ -56,6 +63,7 @@ AttitudeSpace::AttitudeSpace(const World& world, const CostToGo* guidance, std::
       objective_(world),
       rotations_(site_.vehicle),
       step_m_(*site_.vehicle.step_m),
+      turn_radius_m_(tightest_turn(site_.vehicle, rotations_)),
       limits_(leg_limits(site_.vehicle)),
       step_limit_(step_limit == 0 ? automatic_limit(site_) : step_limit) {}
 
@@ -88,7 +96,10 @@ void AttitudeSpace::fill_guide(Candidates& out) const {
       out.guide[k] = node_bound(out.to_goal[k], objective_.weights().fuel, step_m_, tolerance);
     } else {
       const Vec3 end{out.x[k], out.y[k], out.z[k]};
-      out.guide[k] = guidance_ != nullptr ? (*guidance_)(end) : physical_bound(site_, end);
+      const Vec2 to_goal = (site_.mission.goal - end).head<2>();
+      out.guide[k] =
+          (guidance_ != nullptr ? (*guidance_)(end) : physical_bound(site_, end)) +
+          objective_.weights().length * approach_detour(to_goal, {out.ux[k], out.uy[k]}, turn_radius_m_, tolerance);
     }
   }
 }

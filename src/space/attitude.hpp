@@ -24,7 +24,8 @@ class AttitudeSpace {
  public:
   using State = AttitudeState;
 
-  /// The vehicle must have attitude steps. `guidance` may be null: then the guide is the lower bound.
+  /// The vehicle must have attitude steps. Without `guidance` the guide is the lower bound. In the physical model the
+  /// turn that the last approach needs is added.
   /// `step_limit` 0: 3.4 x direct distance / step, and no more than the vehicle's range.
   AttitudeSpace(const World& world, const CostToGo* guidance, std::size_t step_limit = 0);
 
@@ -54,6 +55,7 @@ class AttitudeSpace {
   Objective objective_;
   RotationSet rotations_;
   double step_m_;
+  double turn_radius_m_;  ///< Of the sharpest moves in a row.
   LegLimits limits_;
   std::size_t step_limit_;
 };

@@ -8,31 +8,49 @@ namespace alate {
 
 namespace {
 
+constexpr double kOpenMargin = 0.2;
+constexpr double kSmallestCell = 1e-6;
+
+/// Start, goal and all threats with a margin, for a world without ground.
+Box2 open_area(const Site& site) {
+  const Vec2 start = site.mission.start.head<2>();
+  const Vec2 goal = site.mission.goal.head<2>();
+  Box2 area{.min = start.cwiseMin(goal), .max = start.cwiseMax(goal)};
+  for (const Threat& threat : site.threats) {
+    area.min = area.min.cwiseMin(threat.center.head<2>() - Vec2::Constant(threat.radius_m));
+    area.max = area.max.cwiseMax(threat.center.head<2>() + Vec2::Constant(threat.radius_m));
+  }
+  const Vec2 margin = Vec2::Constant(kOpenMargin * (area.max - area.min).norm());
+  return {.min = area.min - margin, .max = area.max + margin};
+}
+
 Box2 area_of(const Site& site) {
   if (const auto* raster = std::get_if<HeightRaster>(&site.ground)) return raster->area;
-  return std::get<PeakGround>(site.ground).area;
+  if (const auto* hills = std::get_if<PeakGround>(&site.ground)) return hills->area;
+  return open_area(site);
 }
 
 }  // namespace
 
 CoarseBand::CoarseBand(const World& world) : area_(area_of(world.site())) {
   const Vec2 extent = area_.max - area_.min;
-  cell_m_ = std::sqrt(extent.x() * extent.y() / kCells);
+  cell_m_ = std::max({std::sqrt(extent.x() * extent.y() / kCells), extent.maxCoeff() / kCells, kSmallestCell});
   columns_ = std::max(1, static_cast<int>(std::ceil(extent.x() / cell_m_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(extent.y() / cell_m_)));
   floor_.assign(size(), kInfinity);
   ceiling_.assign(size(), -kInfinity);
   threat_.assign(size() * kLayers, 0);
   for (std::size_t cell = 0; cell < size(); ++cell) sample_ground(world, cell);
-
-  const Mission& mission = world.site().mission;
-  open_top_m_ = std::max(mission.start.z(), mission.goal.z());
-  for (const double floor : floor_)
-    if (floor < kInfinity) open_top_m_ = std::max(open_top_m_, floor);
-  for (std::size_t cell = 0; cell < size(); ++cell) {
-    ceiling_[cell] = std::min(ceiling_[cell], open_top_m_ + cell_m_);
+  close_upwards(world.site());
+  for (std::size_t cell = 0; cell < size(); ++cell)
     if (!blocked(cell)) sample_threat(world, cell);
-  }
+}
+
+void CoarseBand::close_upwards(const Site& site) {
+  double top = std::max(site.mission.start.z(), site.mission.goal.z());
+  for (const double floor : floor_)
+    if (floor < kInfinity) top = std::max(top, floor);
+  for (double& ceiling : ceiling_) ceiling = std::min(ceiling, top + cell_m_);
 }
 
 Vec2 CoarseBand::center(std::size_t cell) const {
@@ -43,6 +61,11 @@ Vec2 CoarseBand::center(std::size_t cell) const {
 
 void CoarseBand::sample_ground(const World& world, std::size_t cell) {
   const Band& band = world.site().band;
+  if (!world.site().has_ground()) {
+    floor_[cell] = std::min(world.site().mission.start.z(), world.site().mission.goal.z()) - cell_m_;
+    ceiling_[cell] = kInfinity;
+    return;
+  }
   const Vec2 corner = center(cell) - Vec2::Constant(cell_m_ / 2);
   for (int j = 0; j < kSamplesAcross; ++j) {
     for (int i = 0; i < kSamplesAcross; ++i) {

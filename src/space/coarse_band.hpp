@@ -8,7 +8,8 @@
 
 namespace alate {
 
-/// Square cells over the ground's area. Floor and ceiling are optimistic: the lowest and highest that any sample of
+/// Square cells over the ground's area; without ground, over start, goal and threats, a cell below and above start
+/// and goal. Floor and ceiling are optimistic: the lowest and highest that any sample of
 /// the cell allows. Cells without known ground, or where the band is empty, are blocked.
 class CoarseBand {
  public:
@@ -35,13 +36,14 @@ class CoarseBand {
 
  private:
   void sample_ground(const World& world, std::size_t cell);
+  /// Gives the band an upper end where no ceiling does: a cell above the highest floor, start and goal.
+  void close_upwards(const Site& site);
   void sample_threat(const World& world, std::size_t cell);
 
   Box2 area_;
   double cell_m_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  double open_top_m_ = 0;  ///< Stands for the ceiling where none is given.
   std::vector<double> floor_, ceiling_, threat_;
 };
 

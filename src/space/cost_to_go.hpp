@@ -1,4 +1,4 @@
-// Guidance over terrain: cost to the goal of a relaxed problem.
+// Guidance round terrain and threats: cost to the goal of a relaxed problem.
 //
 // The relaxed aircraft is a point without heading on coarse cells. Its altitude is a real number between floor and
 // ceiling, and may change between neighbouring cells as far as the climb and descent limits allow, so that ridges
@@ -23,7 +23,7 @@ namespace alate {
 
 class CostToGo {
  public:
-  /// Only for a world with ground and the physical objective. Stops early, with what it has, when `run` says so.
+  /// Only for the physical objective. Stops early, with what it has, when `run` says so.
   CostToGo(const World& world, RunContext& run);
 
   /// Estimated cost from `position` to the goal; infinite where no way is seen.

@@ -31,7 +31,6 @@ struct CellWalk {
   struct Exit {
     double t = 1;
     bool through_column = false;
-    int next = 0;  ///< Column, or row, of the first cell behind.
   };
 
   /// Both ends lie within the posts.
@@ -65,29 +64,43 @@ struct CellWalk {
     const int line_y = ((row >> shift) + side_y) << shift;
     const double t_x = (line_x - x) * per_dx;
     const double t_y = (line_y - y) * per_dy;
-    if (t_x <= t_y) return {std::min(t_x, 1.0), true, dx > 0 ? line_x : line_x - 1};
-    return {std::min(t_y, 1.0), false, dy > 0 ? line_y : line_y - 1};
+    // Where a column line and a row line are crossed at once, the column line comes first.
+    const bool through_column = t_x <= t_y;
+    return {std::min(through_column ? t_x : t_y, 1.0), through_column};
   }
 
-  /// Moves to the first cell behind `exit`; false at the end of the leg.
-  bool leave(const Exit& exit) {
+  /// From the current cell to the next; false at the end of the leg. Without branches, since no processor could
+  /// guess which way a leg turns.
+  bool step(const Exit& exit) {
+    column += exit.through_column ? step_x : 0;
+    row += exit.through_column ? 0 : step_y;
+    t = exit.t;
+    return t < 1 && inside();
+  }
+
+  /// From the current cell to the first one behind a block's exit; false at the end of the leg.
+  bool leave(const Exit& exit, int shift) {
     if (exit.t >= 1) return false;
-    // Where a column line and a row line are crossed at once, the column line comes first.
     if (exit.through_column) {
       near(row, y + dy * exit.t, step_y);
       while ((row + side_y - y) * per_dy < exit.t) row += step_y;
-      column = exit.next;
+      column = behind(column, shift, side_x);
     } else {
       near(column, x + dx * exit.t, step_x);
       while ((column + side_x - x) * per_dx <= exit.t) column += step_x;
-      row = exit.next;
+      row = behind(row, shift, side_y);
     }
     t = exit.t;
-    // Rounding may cross the last line a hair before the end.
-    return column >= 0 && row >= 0 && column < cell_columns && row < cell_rows;
+    return inside();
   }
 
  private:
+  /// Rounding may cross the last line a hair before the end.
+  bool inside() const { return column >= 0 && row >= 0 && column < cell_columns && row < cell_rows; }
+  static int behind(int cell, int shift, int side) {
+    const int line = ((cell >> shift) + side) << shift;
+    return side == 1 ? line : line - 1;
+  }
   /// Moves `cell` to one before `position` if it is far behind; rounding is far less than a cell.
   static void near(int& cell, double position, int step) {
     const int before = static_cast<int>(position) - step;

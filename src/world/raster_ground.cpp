@@ -22,15 +22,17 @@ struct Quadratic {
   double end = 0;
 
   double at(double s) const { return c0 + s * (c1 + s * c2); }
-  double slope(double s) const { return c1 + 2 * s * c2; }
-  double vertex() const { return at(-c1 / (2 * c2)); }
+  /// The vertex lies at most this far beyond the nearer end.
+  double bulge() const { return 0.25 * std::abs(c2) * end * end; }
   double lowest() const {
-    if (c2 > 0 && c1 < 0 && slope(end) > 0) return vertex();
-    return std::min(c0, at(end));
+    const double vertex = -c1 / (2 * c2);
+    const double ends = std::min(c0, at(end));
+    return c2 > 0 && vertex > 0 && vertex < end ? std::min(ends, at(vertex)) : ends;
   }
   double highest() const {
-    if (c2 < 0 && c1 > 0 && slope(end) < 0) return vertex();
-    return std::max(c0, at(end));
+    const double vertex = -c1 / (2 * c2);
+    const double ends = std::max(c0, at(end));
+    return c2 < 0 && vertex > 0 && vertex < end ? std::max(ends, at(vertex)) : ends;
   }
   bool unknown() const { return std::isnan(c2); }
 };
@@ -41,6 +43,7 @@ struct Lowest {
 
   bool may_skip(double low, double /*high*/) const { return low > best + kRounding_m; }
   bool accept(const Quadratic& above) {
+    if (std::min(above.c0, above.at(above.end)) - above.bulge() > best) return true;
     best = above.unknown() ? -kInfinity : std::min(best, above.lowest());
     return best > -kInfinity;
   }
@@ -53,6 +56,10 @@ struct Within {
 
   bool may_skip(double low, double high) const { return low > floor + kRounding_m && high < roof - kRounding_m; }
   bool accept(const Quadratic& above) const {
+    const double first = above.c0;
+    const double last = above.at(above.end);
+    const double bulge = above.bulge();
+    if (std::min(first, last) - bulge > floor && std::max(first, last) + bulge < roof) return true;
     return !above.unknown() && above.lowest() >= floor && (roof == kInfinity || above.highest() <= roof);
   }
 };
@@ -76,29 +83,31 @@ Quadratic above_cell(const HeightRaster& raster, const CellWalk& walk, double t_
 /// Walks the leg until its end (true) or until `goal` has seen enough (false).
 template <class Goal>
 bool run(const HeightRaster& raster, const HeightPyramid& pyramid, CellWalk walk, Goal& goal) {
-  int level = 1;
+  constexpr int kShift = HeightPyramid::kShift;
+  // A bound costs as much as a cell and often decides nothing near the ground: over a few cells it is not worth it.
+  constexpr double kManyCells = 16;
+  const int top = std::abs(walk.dx) + std::abs(walk.dy) > kManyCells ? pyramid.top() : 0;
+  int level = std::min(1, top);
   for (;;) {
-    const auto exit = walk.exit(HeightPyramid::kShift * level);
-    bool skipped = false;
-    if (level > 0) {
-      const auto& range = pyramid.block(level, walk.column, walk.row);
+    const int column = walk.column;
+    const int row = walk.row;
+    const auto exit = walk.exit(kShift * level);
+    if (level == 0) {
+      if (!goal.accept(above_cell(raster, walk, exit.t))) return false;
+      if (!walk.step(exit)) return true;
+    } else {
+      const auto& range = pyramid.block(level, column, row);
       const double z_in = walk.height(walk.t);
       const double z_out = walk.height(exit.t);
-      skipped = goal.may_skip(std::min(z_in, z_out) - double{range.high}, std::max(z_in, z_out) - double{range.low});
-      if (!skipped) {
+      if (!goal.may_skip(std::min(z_in, z_out) - double{range.high}, std::max(z_in, z_out) - double{range.low})) {
         --level;
         continue;
       }
-    } else if (!goal.accept(above_cell(raster, walk, exit.t))) {
-      return false;
+      if (!walk.leave(exit, kShift * level)) return true;
     }
-    const int column = walk.column;
-    const int row = walk.row;
-    if (!walk.leave(exit)) return true;
     // Try the next coarser block only where the walk has just entered one.
-    const int shift = HeightPyramid::kShift * (level + 1);
-    const bool entered = (column >> shift) != (walk.column >> shift) || (row >> shift) != (walk.row >> shift);
-    if (entered && level < pyramid.top()) ++level;
+    const bool entered = (((column ^ walk.column) | (row ^ walk.row)) >> (kShift * (level + 1))) != 0;
+    if (entered && level < top) ++level;
   }
 }
 

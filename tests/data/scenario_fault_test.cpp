@@ -42,7 +42,9 @@ TEST(ScenarioFault, Keys) {
           "grid: {map: x}",
           "s.yaml:6:1: grid: unknown key (allowed frame, terrain, start, goal, vehicle, threats, objective, planner)"),
       added("goal: {lat: 1}", "s.yaml:6:1: goal: given twice, first in line 5"),
-      added("vehicle: {range_m: 1, range_m: 2}", "s.yaml:6:23: range_m: given twice, first in line 6"),
+      added("vehicle: {range_m: 1, range_m: 2}", "s.yaml:6:23: vehicle.range_m: given twice, first in line 6"),
+      changed("level: 0.5, core_m: 1", "level: 0.5, level: 1",
+              "s.yaml:22:66: threats.0.level: given twice, first in line 22"),
       added("[1]: 2", "s.yaml:6:1: a key must be a word"),
       added("vehicle:", "s.yaml:6:1: vehicle: has no value"),
       added("vehicle: {range_m: null}", "s.yaml:6:11: vehicle.range_m: has no value"),
@@ -58,6 +60,8 @@ TEST(ScenarioFault, Types) {
       added("vehicle: [a]", "s.yaml:6:10: vehicle: must be a group of keys"),
       added("threats: {a: 1}", "s.yaml:6:10: threats: must be a list of groups"),
       added("threats: [a]", "s.yaml:6:11: threats.0: must be a group of keys (got a)"),
+      changed("[{center_m: [100, 200], height_m: 300, slope_m: [50, 60]}]", "[]",
+              "s.yaml:3:10: terrain.peaks: has the wrong number of items (got 0, allowed 1 to 10000 items)"),
       added("vehicle: {range_m: far}", "s.yaml:6:20: vehicle.range_m: must be a number (got far, allowed > 0 m)"),
       added("vehicle: {range_m: [1]}", "s.yaml:6:20: vehicle.range_m: must be a number"),
       added("vehicle: {range_m: \"5\"}", "s.yaml:6:20: vehicle.range_m: must be a number, without quotes (got 5)"),
@@ -195,7 +199,7 @@ TEST(ScenarioFault, Limits) {
   EXPECT_EQ(to_string(faults_in(kSmallScenario + "threats: [" + many + "]").at(0)),
             "s.yaml:6:10: threats: has the wrong number of items (got 10001, allowed 0 to 10000 items)");
   EXPECT_EQ(to_string(faults_in(kSmallScenario + "terrain: {extent_m: [1, 1], peaks: [" + many + "]}").at(0)),
-            "s.yaml:6:36: terrain.peaks: has the wrong number of items (got 10001, allowed 0 to 10000 items)");
+            "s.yaml:6:36: terrain.peaks: has the wrong number of items (got 10001, allowed 1 to 10000 items)");
   std::string angles = "0";
   for (int i = 0; i < 29; ++i) angles += ",1";
   expect_faults({added(fmt::format("vehicle: {{step_m: 1, roll_deg: [{0}], pitch_deg: [{0}], yaw_deg: [{0}]}}", angles),
@@ -220,8 +224,8 @@ TEST(ScenarioFault, AllOfThemAtOnceInTheOrderOfTheText) {
   std::vector<std::string> fields;
   for (const Fault& fault : faults) fields.push_back(fmt::format("{} {}", fault.line, fault.field));
   EXPECT_EQ(fields, (std::vector<std::string>{"0 vehicle.speed_mps", "2 start.position_m.2", "2 start.heading",
-                                              "3 goal.lat", "3 goal.agl_m", "4 vehicle.climb_deg", "4 climb_deg",
-                                              "5 threats.0", "5 threats.0.radius_m"}));
+                                              "3 goal.lat", "3 goal.agl_m", "4 vehicle.climb_deg",
+                                              "4 vehicle.climb_deg", "5 threats.0", "5 threats.0.radius_m"}));
 }
 
 TEST(ScenarioLoad, FilesThatAreNone) {

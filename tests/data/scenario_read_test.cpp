@@ -52,6 +52,12 @@ TEST(ScenarioRead, JsonIsYaml) {
   EXPECT_EQ(s, parse_scenario(kSmallScenario, "s.yaml"));
 }
 
+TEST(ScenarioRead, ByteOrderMarkAndWindowsLineEndsChangeNothing) {
+  std::string text = "\xef\xbb\xbf";
+  for (const char c : kSmallScenario) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(parse_scenario(text, "s.yaml"), parse_scenario(kSmallScenario, "s.yaml"));
+}
+
 TEST(ScenarioRead, MarksSayWhereFieldsStand) {
   const Scenario s = parse_scenario(kFullScenario, "s.yaml", {"goal.tolerance_m=5"});
   EXPECT_EQ(mark_of(s, "terrain").line, 2);

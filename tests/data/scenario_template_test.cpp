@@ -10,8 +10,8 @@ TEST(ScenarioTemplate, IsValidAndCommented) {
   const Scenario scenario = parse_scenario(text, "scenario.yaml");
   EXPECT_TRUE(scenario.terrain.has_value());
   EXPECT_EQ(scenario.threats.size(), 1U);
-  EXPECT_NE(text.find("# Least radius of a turn. (m)\n  turn_radius_m: 80"), std::string::npos) << text;
-  EXPECT_NE(text.find("# ceiling_amsl_m:\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  turn_radius_m: 80  # Least radius of a turn. (m)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  # ceiling_amsl_m:  # Greatest height above mean sea level. (m)\n"), std::string::npos) << text;
 }
 
 TEST(ScenarioTemplate, ReadsBackWithoutItsComments) {

@@ -1,8 +1,10 @@
 // Ground heights as posts on a grid, and the way from frame metres to post coordinates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,17 +28,48 @@ class PostMap {
   static PostMap lattice(const Box2& area, double spacing_m, int columns, std::vector<Vec2> knots);
 
   /// NaN outside the area of a lattice.
-  Vec2 operator()(const Vec2& xy) const;
+  Vec2 operator()(const Vec2& xy) const {
+    if (knots_.empty()) return through_affine(xy);
+    return area_.contains(xy) ? interpolate(triangle_at(xy)) : Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
 
   /// The leg from `a` to `b` maps to a straight line from parameter `t` in [0, 1) to the one returned, which is
   /// greater than t; 1 at the end. Cutting a leg there makes every piece exactly straight.
-  double straight_until(const Vec2& a, const Vec2& b, double t) const;
+  double straight_until(const Vec2& a, const Vec2& b, double t) const {
+    if (knots_.empty() || (t == 0 && triangle_at(a).same_as(triangle_at(b)))) return 1;
+    return next_bend(a, b, t);
+  }
 
   /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
   /// 0.001 post. Infinite for an affine map.
   double straight_length_m() const { return straight_length_m_; }
 
  private:
+  /// A place in a triangle of the lattice: square (i, j), and within it u right and v up, in [0, 1].
+  struct Place {
+    int i, j;
+    double u, v;
+    bool below_diagonal() const { return u >= v; }
+    bool same_as(const Place& p) const { return i == p.i && j == p.j && below_diagonal() == p.below_diagonal(); }
+  };
+
+  Vec2 through_affine(const Vec2& p) const {
+    return {affine_[0] + affine_[1] * p.x() + affine_[2] * p.y(), affine_[3] + affine_[4] * p.x() + affine_[5] * p.y()};
+  }
+  Place triangle_at(const Vec2& xy) const {
+    const Vec2 at = (xy - area_.min) * per_spacing_;
+    const int i = std::min(static_cast<int>(at.x()), columns_ - 2);
+    const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
+    return {i, j, at.x() - i, at.y() - j};
+  }
+  Vec2 interpolate(const Place& p) const {
+    const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(p.j) * columns_ + p.i;
+    const Vec2* high = low + columns_;
+    if (p.below_diagonal()) return low[0] + p.u * (low[1] - low[0]) + p.v * (high[1] - low[1]);
+    return low[0] + p.v * (high[0] - low[0]) + p.u * (high[1] - high[0]);
+  }
+  double next_bend(const Vec2& a, const Vec2& b, double t) const;
+
   std::array<double, 6> affine_{};
   Box2 area_{};
   double per_spacing_ = 0;

@@ -18,7 +18,8 @@ Scenario load_scenario(const std::string& file, const std::vector<std::string>& 
 Scenario parse_scenario(const std::string& text, const std::string& file,
                         const std::vector<std::string>& overrides = {});
 
-/// YAML that parse_scenario reads back to an equal scenario.
+/// YAML that parse_scenario reads back to an equal scenario, under a file name without a folder: paths are written
+/// as they were resolved.
 std::string to_yaml(const Scenario& scenario);
 
 /// JSON Schema (draft 2020-12) of scenario files.

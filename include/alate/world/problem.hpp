@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "alate/core/route.hpp"
 #include "alate/core/run_context.hpp"
@@ -26,6 +28,16 @@ struct Problem {
       : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
 };
 
+/// One iteration of a colony. Costs are of the ants that arrived; nothing where none did.
+struct IterationStats {
+  std::optional<double> best_so_far;
+  std::optional<double> best;
+  std::optional<double> mean;
+  std::optional<double> worst;
+  double arrived = 0;  ///< Share of ants that reached the goal, 0 to 1.
+  double known = 0;    ///< Share of moves onto a trail that an earlier iteration had left, 0 to 1.
+};
+
 /// What came out.
 struct Plan {
   Outcome outcome = Outcome::none_found;
@@ -36,6 +48,7 @@ struct Plan {
   std::uint64_t seed = 0;
   bool reproducible = true;                       ///< False after a deadline or a cancel.
   std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
+  std::vector<IterationStats> history;            ///< Colonies only, one entry an iteration.
   std::string why;                                ///< Without a route: what stands in the way, and where.
 };
 

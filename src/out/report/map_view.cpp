@@ -22,10 +22,17 @@ namespace {
 constexpr double kWidth = 1000;
 constexpr int kPictureColumns = 800;
 
-/// May the straight flight from start to goal not pass here: too low over the ground, or inside a core?
-bool is_barred(const Site& site, const Vec3& at) {
+bool leaves_band(const Site& site, const Vec3& at) {
+  const Band& band = site.band;
+  if (band.ceiling_amsl_m && at.z() > *band.ceiling_amsl_m) return true;
+  if (!site.has_ground()) return false;
   const auto above = height_above_ground(site, at);
-  if (above && *above < site.band.clearance_m) return true;
+  return !above || *above < band.clearance_m || (band.ceiling_agl_m && *above > *band.ceiling_agl_m);
+}
+
+/// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core?
+bool is_barred(const Site& site, const Vec3& at) {
+  if (leaves_band(site, at)) return true;
   return std::ranges::any_of(site.threats, [&](const Threat& threat) {
     const bool sphere = threat.shape == Threat::Shape::sphere;
     const double distance = sphere ? (at - threat.center).norm() : (at - threat.center).head<2>().norm();
@@ -89,25 +96,37 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
   for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
 }
 
+/// A cross at every place where a rule is broken.
+void draw_violations(Svg& svg, const MapFrame& map, const Verdict& verdict) {
+  for (const Violation& violation : verdict.violations) {
+    if (!violation.where.allFinite()) continue;
+    const Vec2 at = map(violation.where);
+    svg.line(at - Vec2{7, 7}, at + Vec2{7, 7}, "broken");
+    svg.line(at - Vec2{7, -7}, at + Vec2{7, -7}, "broken");
+  }
+}
+
 /// `above` or below the place, never beyond the sides of the drawing.
 void draw_end_label(Svg& svg, const Vec2& at, bool above, std::string_view name) {
   constexpr double kHalfWord = 45;
+  constexpr double kLine = 28;
   const double x = std::clamp(at.x(), kHalfWord, svg.width() - kHalfWord);
-  svg.text({x, at.y() + (above ? -18 : 34)}, name, "label", Anchor::middle);
+  const double y = std::clamp(at.y() + (above ? -18 : 34), kLine, svg.height() - kLine / 2);
+  svg.text({x, y}, name, "label", Anchor::middle);
 }
 
 void draw_ends(Svg& svg, const MapFrame& map, const Mission& mission) {
   const Vec2 start = map(mission.start);
   const Vec2 goal = map(mission.goal);
-  svg.circle(goal, mission.tolerance_m * map.units_per_metre(), "tolerance",
-             fmt::format("arrival within {:.0f} m", mission.tolerance_m));
+  const double ring = mission.tolerance_m * map.units_per_metre();
+  svg.circle(goal, ring, "tolerance", fmt::format("arrival within {:.0f} m", mission.tolerance_m));
   svg.circle(start, 8, "end");
   svg.circle(start, 4, "dot");
   svg.rect(goal - Vec2{7, 7}, {14, 14}, "end");
   svg.rect(goal - Vec2{3.5, 3.5}, {7, 7}, "dot");
   const bool start_is_upper = start.y() <= goal.y();
   draw_end_label(svg, start, start_is_upper, "Start");
-  draw_end_label(svg, goal, !start_is_upper, "Goal");
+  draw_end_label(svg, goal + Vec2{0, start_is_upper ? ring : -ring}, !start_is_upper, "Goal");
 }
 
 /// The corner plate that carries scale bar and north arrow lies where least is drawn.
@@ -139,6 +158,23 @@ void draw_scale_and_north(Svg& svg, const MapFrame& map, const Result& result) {
   const Vec2 tip = corner + Vec2{length + 66, 10};
   svg.polygon({tip, tip + Vec2{9, 26}, tip + Vec2{0, 20}, tip + Vec2{-9, 26}}, "north", "grid north");
   svg.text(tip + Vec2{0, 54}, "N", "plain", Anchor::middle);
+}
+
+/// Without ground a grid gives the eye a hold, in frame metres.
+void draw_blank(Svg& svg, const MapFrame& map) {
+  const Box2& area = map.area;
+  svg.rect({0, 0}, {svg.width(), svg.height()}, "blank");
+  const double step = round_step((area.max.x() - area.min.x()) / 8);
+  for (double x = std::ceil(area.min.x() / step) * step; x < area.max.x(); x += step) {
+    const double at = map(Vec2{x, area.min.y()}).x();
+    svg.line({at, 0}, {at, svg.height()}, "grid");
+    svg.text({at + 4, 18}, fmt::format("x {:.0f} m", x + 0.0), "tick");
+  }
+  for (double y = std::ceil(area.min.y() / step) * step; y < area.max.y(); y += step) {
+    const double at = map(Vec2{area.min.x(), y}).y();
+    svg.line({0, at}, {svg.width(), at}, "grid");
+    svg.text({4, at - 5}, fmt::format("y {:.0f} m", y + 0.0), "tick");
+  }
 }
 
 std::string key(std::string_view swatch, std::string_view text) {
@@ -173,12 +209,14 @@ std::string legend(const Shown& shown) {
   std::string items;
   if (!shown.result.plan.route.empty()) items += key("s-route", "Route");
   items += key("s-direct", "Straight line");
-  if (shown.barred) items += key("s-barred", "Straight line barred by ground or a core");
+  if (shown.barred) items += key("s-barred", "Straight line where it is not allowed");
   if (!site.threats.empty()) items += key("s-threat", "Threat: flying inside costs");
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
   if (!shown.ground.bands.empty()) items += height_key(shown.ground);
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
+  if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
+    items += key("s-broken", "Place where a rule is broken");
   if (const auto outside = threats_outside(shown); outside > 0)
     items += fmt::format("<li>{} {} outside this map</li>\n", outside, outside == 1 ? "threat lies" : "threats lie");
   return fmt::format("<ul class=\"key\">\n{}</ul>\n", items);
@@ -188,7 +226,7 @@ std::string legend(const Shown& shown) {
 std::string caption(const Shown& shown) {
   const Result& result = shown.result;
   if (result.plan.route.empty() || !result.verdict.ok()) return {};
-  std::string text = shown.barred ? "The straight line is barred; the route goes round" : "The route";
+  std::string text = shown.barred ? "The straight line is not allowed; the route goes round" : "The route";
   if (const auto& lowest = result.metrics.min_clearance_m)
     text += fmt::format("{} stays {} or more above the ground", shown.barred ? " and" : "", quantity(*lowest, "m"));
   const auto core = std::ranges::find(result.verdict.margins, "threat_core", &Margin::rule);
@@ -210,11 +248,12 @@ std::string map_figure(const Result& result) {
     ground = hillshade(site, map.area, kPictureColumns);
     svg.image({0, 0}, {svg.width(), svg.height()}, to_png(ground.image), "relief");
   } else {
-    svg.rect({0, 0}, {svg.width(), svg.height()}, "blank");
+    draw_blank(svg, map);
   }
   draw_threats(svg, map, site);
   const bool barred = draw_direct_line(svg, map, site);
   draw_route(svg, map, route);
+  if (!route.empty()) draw_violations(svg, map, result.verdict);
   draw_ends(svg, map, site.mission);
   draw_threat_names(svg, map, site);
   draw_scale_and_north(svg, map, result);

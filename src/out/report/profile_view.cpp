@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "out/report/axis.hpp"
+#include "out/report/number_words.hpp"
 #include "out/report/profile.hpp"
 #include "out/report/svg.hpp"
 
@@ -132,8 +133,8 @@ void draw_lowest(const Drawing& drawing, const ProfileSample& sample) {
   drawing.svg.circle(above, 4, "lowest-dot");
   const bool right_half = above.x() > kArea.corner.x() + kArea.size.x() / 2;
   drawing.svg.text(above + Vec2{right_half ? -10 : 10, -14},
-                   fmt::format("lowest: {:.0f} m above ground", sample.position.z() - *sample.ground_m), "label",
-                   right_half ? Anchor::end : Anchor::start);
+                   fmt::format("lowest: {} above ground", quantity(sample.position.z() - *sample.ground_m, "m")),
+                   "label", right_half ? Anchor::end : Anchor::start);
 }
 
 std::string key(std::string_view swatch, const std::string& text) {

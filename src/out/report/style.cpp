@@ -51,6 +51,8 @@ figure > svg { background: var(--card); border: 1px solid var(--rule); }
 .s-barred { height: .3rem; background: var(--fail); }
 .s-threat { background: color-mix(in srgb, var(--threat) 30%, transparent); border: 1.5px solid var(--threat); }
 .s-core { background: var(--threat); }
+.s-broken { background: linear-gradient(45deg, transparent 43%, var(--fail) 43% 57%, transparent 57%),
+  linear-gradient(-45deg, transparent 43%, var(--fail) 43% 57%, transparent 57%); width: .9rem; }
 .s-ground { background: var(--ground); }
 .s-band { background: var(--band); border: 1.5px dashed var(--limit); }
 .s-unknown { background: repeating-linear-gradient(135deg, var(--void) 0 4px, #8b8f95 4px 6px); }
@@ -72,6 +74,7 @@ svg .direct { stroke: var(--ink); stroke-width: 1.6; stroke-dasharray: 7 6; }
 svg .barred { fill: none; stroke: var(--fail); stroke-width: 4.5; opacity: .8; }
 svg .threat { fill: var(--threat); fill-opacity: .18; stroke: var(--threat); stroke-width: 1.8; }
 svg .core { fill: var(--threat); fill-opacity: .62; stroke: none; }
+svg .broken { stroke: var(--fail); stroke-width: 3; }
 svg .end { fill: var(--halo); stroke: var(--ink); stroke-width: 2.4; }
 svg .dot { fill: var(--ink); }
 svg .tolerance { fill: none; stroke: var(--ink); stroke-width: 1.6; stroke-dasharray: 3 4; }

@@ -43,19 +43,23 @@ std::string row_html(const RuleRow& row) {
       row.where);
 }
 
+/// "12.5 m to spare". The check gives a straight flight a turn radius of 1e9 m.
+std::string worst_words(const Margin& margin, bool failed) {
+  constexpr double kNoTurn_m = 1e8;
+  if (margin.rule == "turn" && margin.margin > kNoTurn_m) return "no turns";
+  if (failed) return figure(-margin.margin, margin.unit) + " over the limit";
+  return figure(std::max(0.0, margin.margin), margin.unit) + " to spare";
+}
+
 std::string judged_row(const Result& result, const Margin& margin) {
-  const Site& site = result.site;
-  const auto& broken = result.verdict.violations;
-  const auto count = std::ranges::count(broken, margin.rule, &Violation::rule);
-  const bool failed = count > 0;
-  std::string worst = failed ? figure(-margin.margin, margin.unit) + " over the limit"
-                             : figure(std::max(0.0, margin.margin), margin.unit) + " to spare";
+  const auto count = std::ranges::count(result.verdict.violations, margin.rule, &Violation::rule);
+  std::string worst = worst_words(margin, count > 0);
   if (count > 1) worst += fmt::format(" ({} places)", count);
   return row_html({.rule = margin.rule,
-                   .state = failed ? "fail" : "pass",
-                   .limit = rule_limit(margin.rule, site),
+                   .state = count > 0 ? "fail" : "pass",
+                   .limit = rule_limit(margin.rule, result.site),
                    .worst = worst,
-                   .where = place(site, margin.leg, margin.where)});
+                   .where = place(result.site, margin.leg, margin.where)});
 }
 
 /// Rules that were broken but have no margin of their own.
