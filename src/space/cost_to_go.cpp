@@ -35,7 +35,7 @@ double slope(const std::optional<double>& limit_rad) {
 
 CostToGo::CostToGo(const World& world, RunContext& run)
     : site_(world.site()),
-      band_(world),
+      band_(world, run),
       climb_slope_(slope(site_.vehicle.climb_rad)),
       descent_slope_(slope(site_.vehicle.descent_rad)),
       values_(band_.size() * kLayers, kInfinity),

@@ -1,7 +1,7 @@
 // What every registered planner owes on every problem that it serves.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <map>
 
@@ -126,12 +126,13 @@ TEST_P(PlannerLaws, ACancelledRunEndsAtOnceWithoutARoute) {
 }
 
 TEST_P(PlannerLaws, ADeadlineHoldsAndLeavesAValidBestOrNothing) {
+  constexpr int kThreads = 2;
   for (const double limit_s : {0.001, 0.02, 0.1}) {
-    const auto start = std::chrono::steady_clock::now();
-    const Plan plan = run({.iterations = 1000000000, .time_limit_s = limit_s}, 2);
-    const std::chrono::duration<double> used = std::chrono::steady_clock::now() - start;
-    // What overruns is one poll and the wrapping up; the machine may be busy with other tests, or instrumented.
-    EXPECT_LT(used.count(), limit_s + 0.5);
+    // Processor time, as other programs may keep this one waiting.
+    const std::clock_t start = std::clock();
+    const Plan plan = run({.iterations = 1000000000, .time_limit_s = limit_s}, kThreads);
+    const double used_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    EXPECT_LT(used_s, kThreads * limit_s + 0.1);
     EXPECT_EQ(plan.reproducible, plan.stop == Stop::finished);
     EXPECT_TRUE(plan.outcome == Outcome::none_found || check(site_, plan.route).ok());
   }
