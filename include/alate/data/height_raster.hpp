@@ -62,11 +62,12 @@ class PostMap {
     const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
     return {i, j, at.x() - i, at.y() - j};
   }
+  /// Along the first side by the larger of u and v, then along the second by the smaller: no branch to guess.
   Vec2 interpolate(const Place& p) const {
     const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(p.j) * columns_ + p.i;
     const Vec2* high = low + columns_;
-    if (p.below_diagonal()) return low[0] + p.u * (low[1] - low[0]) + p.v * (high[1] - low[1]);
-    return low[0] + p.v * (high[0] - low[0]) + p.u * (high[1] - high[0]);
+    const Vec2* corner = p.below_diagonal() ? low + 1 : high;
+    return *low + std::max(p.u, p.v) * (*corner - *low) + std::min(p.u, p.v) * (high[1] - *corner);
   }
   double next_bend(const Vec2& a, const Vec2& b, double t) const;
 
