@@ -2,6 +2,7 @@
 
 #include "plan/attitude_plan.hpp"
 #include "plan/attitude_planners.hpp"
+#include "search/greedy.hpp"
 
 namespace alate {
 
@@ -11,9 +12,13 @@ struct BeamPlanner {
   BeamOptions options;
   std::size_t step_limit = 0;
 
+  /// The greedy walk comes first, as narrow passes may find nothing in a narrow band; it must not eat up the time.
+  static GreedyOptions first_walk() { return {.max_step_backs = 500}; }
+
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_on_attitudes(problem, run, step_limit,
-                             [&](const AttitudeSpace& space) { return Beam(space, options).run(run); });
+    return plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& space) {
+      return Beam(space, options).run(run, Greedy(space, first_walk()).run(run));
+    });
   }
 };
 
@@ -45,7 +50,8 @@ std::vector<Parameter> parameters() {
 PlannerEntry beam_entry() {
   return {
       .name = "beam",
-      .help = "Keeps the best few states of every step, in wider and wider passes: the longer, the better.",
+      .help =
+          "A greedy walk, then the best few states of every step in wider and wider passes: the longer, the better.",
       .can = {.anytime = true, .deterministic = true, .terrain = true, .threats = true, .space = "attitude lattice"},
       .presets = {{.name = "default", .help = "As the parameters say."}},
       .parameters = ParamTable(parameters()),

@@ -32,8 +32,9 @@ class Beam {
  public:
   Beam(const S& space, BeamOptions options) : space_(space), options_(options) {}
 
-  SearchResult run(RunContext& run) {
-    best_ = SearchResult{};
+  /// `incumbent`: a route that is already known, or nothing.
+  SearchResult run(RunContext& run, SearchResult incumbent = {}) {
+    best_ = std::move(incumbent);
     const typename S::State start = space_.start();
     if (space_.is_goal(start)) {
       best_.found = true;
