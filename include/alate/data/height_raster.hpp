@@ -40,10 +40,6 @@ class PostMap {
     return next_bend(a, b, t);
   }
 
-  /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
-  /// 0.001 post. Infinite for an affine map.
-  double straight_length_m() const { return straight_length_m_; }
-
  private:
   /// A place in a triangle of the lattice: square (i, j), and within it u right and v up, in [0, 1].
   struct Place {
@@ -77,7 +73,6 @@ class PostMap {
   int columns_ = 0;
   int rows_ = 0;
   std::vector<Vec2> knots_;  ///< Empty for an affine map.
-  double straight_length_m_ = 0;
 };
 
 /// The ground between four posts is bilinear. A cell with a void post is unknown ground, never zero.
