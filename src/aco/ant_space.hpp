@@ -24,8 +24,8 @@ concept AntSpace = requires(const S& space, const typename S::State& state, Choi
   { space.is_goal(state) } -> std::convertible_to<bool>;
   /// Where a state is, as the choices give it.
   { space.place(state) } -> std::convertible_to<Eigen::Vector3f>;
-  /// Exact cost of a whole route; nothing if it may not be flown or does not end at the goal.
-  { space.fly(actions) } -> std::convertible_to<std::optional<double>>;
+  /// Exact cost until the first arrival; nothing if a move may not be flown, or none arrives.
+  { space.fly(actions) } -> std::convertible_to<std::optional<Flight>>;
 };
 
 }  // namespace alate

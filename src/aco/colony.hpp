@@ -19,6 +19,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 
 #include "aco/ant.hpp"
 #include "aco/ant_space.hpp"
@@ -126,8 +127,10 @@ class Colony {
   const Ant& improved_best(RunContext& run) {
     const auto found = std::ranges::min_element(ants_, {}, &Ant::cost);
     if (!found->arrived()) return *found;
-    found->cost = space_.fly(found->actions).value_or(kInfinity);
-    if (policies_.local_search(space_, *found, run)) policies_.trail.name_route(space_, *found);
+    const auto flight = space_.fly(found->actions);
+    assert(flight);
+    found->cost = flight->cost;
+    if (policies_.local_search(space_, *found, best_.cost, run)) policies_.trail.name_route(space_, *found);
     return *found;
   }
 

@@ -11,6 +11,7 @@
 #include "aco/deposit/rank_based.hpp"
 #include "aco/heuristic/goal_directed.hpp"
 #include "aco/heuristic/power.hpp"
+#include "aco/local_search/action_string.hpp"
 #include "aco/local_search/none.hpp"
 #include "aco/pheromone/grid_cells.hpp"
 #include "aco/pheromone/hash_cells.hpp"
@@ -44,7 +45,7 @@ struct OneOf {
 using AnyHeuristic = OneOf<GoalDirected, PowerHeuristic>;
 using AnyTransition = OneOf<Roulette, PseudoRandom>;
 using AnyDeposit = OneOf<NoDeposit, AntSystem, RankBased, MaxMin, ColonySystem>;
-using AnyLocalSearch = OneOf<NoLocalSearch>;
+using AnyLocalSearch = OneOf<NoLocalSearch, ActionString>;
 
 class AttitudeAco {
  public:
@@ -87,7 +88,7 @@ class AttitudeAco {
                                                    .transition = transition(),
                                                    .trail = Trail<Store>(std::move(store), trail_rule()),
                                                    .deposit = deposit(),
-                                                   .local_search = {}},
+                                                   .local_search = local_search()},
                                           {.ants = static_cast<std::size_t>(values_.integer("ants")),
                                            .alpha = static_cast<int>(values_.integer("alpha"))});
     const Ant& best = colony.run(run);
@@ -129,6 +130,12 @@ class AttitudeAco {
                      .best_every = static_cast<std::uint64_t>(values_.integer("best_every"))}};
     if (name == "acs") return {ColonySystem{.q = q, .evaporation = evaporation, .wear = values_.number("wear")}};
     return {NoDeposit{}};
+  }
+
+  AnyLocalSearch local_search() const {
+    if (values_.text("local_search") == "none") return {NoLocalSearch{}};
+    return {ActionString{.pair_distance = static_cast<std::size_t>(values_.integer("pair_distance")),
+                         .pair_margin = values_.number("pair_margin")}};
   }
 
   ParamValues values_;

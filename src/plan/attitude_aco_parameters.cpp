@@ -121,6 +121,29 @@ std::vector<Parameter> trail_parameters() {
   };
 }
 
+std::vector<Parameter> search_parameters() {
+  return {
+      {.name = "local_search",
+       .default_value = word("action-string"),
+       .choices = {"action-string", "none"},
+       .help = "What is done to the best ant of an iteration.",
+       .source = "alate"},
+      {.name = "pair_distance",
+       .unit = "moves",
+       .default_value = whole(3),
+       .min = 0,
+       .max = 1000,
+       .help = "action-string: two moves at most this far apart are changed together; 0: only one at a time.",
+       .source = "alate"},
+      {.name = "pair_margin",
+       .default_value = 0.002,
+       .min = 0,
+       .max = 1,
+       .help = "action-string: pairs are tried on routes at most this share dearer than the best so far.",
+       .source = "alate"},
+  };
+}
+
 using Values = std::map<std::string, ParamValue>;
 
 /// The published rule, with what `changes` says.
@@ -132,7 +155,8 @@ Values published(const Values& changes = {}) {
                 {"evaporation", 0.8},
                 {"deposit", word("ant-system")},
                 {"q", 50.0},
-                {"ants", whole(50)}};
+                {"ants", whole(50)},
+                {"local_search", word("none")}};
   for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
   return values;
 }
@@ -142,6 +166,7 @@ Values published(const Values& changes = {}) {
 std::vector<Parameter> attitude_aco_parameters() {
   std::vector<Parameter> all = walk_parameters();
   for (Parameter& parameter : trail_parameters()) all.push_back(std::move(parameter));
+  for (Parameter& parameter : search_parameters()) all.push_back(std::move(parameter));
   return all;
 }
 
@@ -157,7 +182,7 @@ std::vector<Preset> attitude_aco_presets() {
        .values = published({{"deposit", word("max-min")}, {"evaporation", 0.2}})},
       {.name = "acs",
        .help = "Ant Colony System with the goal-directed heuristic on trail cells.",
-       .values = {{"deposit", word("acs")}, {"q0", 0.5}, {"evaporation", 0.1}}},
+       .values = {{"deposit", word("acs")}, {"q0", 0.5}, {"evaporation", 0.1}, {"local_search", word("none")}}},
       {.name = "no-pheromone",
        .help = "The published walks with tau = 1 always: what pheromone has to beat.",
        .values = published({{"deposit", word("none")}, {"alpha", whole(0)}})},

@@ -114,6 +114,7 @@ ALATE_SIMD float add_sums(float tolerance, const Choices& nodes, TailSums& sums)
   const std::size_t count = whole(nodes.x);
   const float* __restrict cost = aligned(nodes.cost);
   const float* __restrict to_goal = aligned(nodes.to_goal);
+  const float* __restrict guide = aligned(nodes.guide);
   float* __restrict sum = aligned(sums.sum);
   float* __restrict total = aligned(sums.total);
   for (std::size_t k = 0; k < count; ++k) {
@@ -123,7 +124,7 @@ ALATE_SIMD float add_sums(float tolerance, const Choices& nodes, TailSums& sums)
   }
   float least = kNever;
   for (std::size_t k = 0; k < count; ++k) {
-    const float open = total[k] == kNever ? sum[k] : kNever;
+    const float open = total[k] == kNever ? sum[k] + guide[k] : kNever;
     least = open < least ? open : least;
   }
   return least;
@@ -194,6 +195,12 @@ void price_choices(const NodeModel& model, Choices& out) {
 void turn_moves(const MoveMatrices& moves, const AntPose& pose, MoveMatrices& out) {
   for (std::size_t i = 0; i < 9; ++i) out[i].resize(moves[i].size());
   for (std::size_t i = 0; i < 3; ++i) turn_row(moves, axis_of(pose, i), 3 * i, out);
+}
+
+float start_tails(float cost_before, float tolerance, const Choices& ends, TailSums& sums) {
+  sums.sum.assign(ends.x.size(), cost_before);
+  sums.total.assign(ends.x.size(), kNever);
+  return add_sums(tolerance, ends, sums);
 }
 
 float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,

@@ -56,8 +56,11 @@ struct TailSums {
   AlignedFloats sum, total;
 };
 
+/// Begins with the choices themselves. Returns as add_tail_node does.
+float start_tails(float cost_before, float tolerance, const Choices& ends, TailSums& sums);
+
 /// Flies one more node of the tail behind every choice: place (end of k) + F B_k q, in `nodes`. Returns the least sum
-/// of those that have not arrived yet.
+/// that those which have not arrived yet can still reach (sum + h).
 float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
                     Choices& nodes, TailSums& sums);
 

@@ -43,17 +43,41 @@ void AttitudeAnts::look_in_double(const State& state, Choices& out) const {
   narrow(out.wide.guide, out.guide);
 }
 
-std::optional<double> AttitudeAnts::fly(std::span<const std::uint32_t> actions) const {
-  double cost = 0;
+std::optional<Flight> AttitudeAnts::fly(std::span<const std::uint32_t> actions) const {
+  Flight flight;
   State state = start();
   for (const std::uint32_t k : actions) {
-    if (is_goal(state)) return std::nullopt;
     State ahead = next(state, k);
-    cost += space_.move_cost(state, ahead);
-    if (cost == kInfinity || !is_free(state, ahead)) return std::nullopt;
+    flight.cost += space_.move_cost(state, ahead);
+    ++flight.moves;
+    if (flight.cost == kInfinity || !is_free(state, ahead)) return std::nullopt;
     state = ahead;
+    if (is_goal(state)) return flight;
   }
-  return is_goal(state) ? std::optional(cost) : std::nullopt;
+  return std::nullopt;
+}
+
+void AttitudeAnts::unroll(std::span<const std::uint32_t> actions, std::vector<TailNode>& nodes) const {
+  nodes.clear();
+  Eigen::Vector3f place = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f attitude = Eigen::Matrix3f::Identity();
+  for (const std::uint32_t k : actions) {
+    attitude = attitude * space_.rotations().matrix(k).cast<float>();
+    place += step_m_ * attitude.col(0);
+    nodes.push_back({place.x(), place.y(), place.z()});
+  }
+}
+
+void AttitudeAnts::price_tails(const Branch& branch, std::span<const TailNode> tail, TailPrices& out) const {
+  const AntPose pose(branch.state.position - site_.mission.start, branch.state.attitude);
+  look(branch.state, out.ends);
+  out.nodes.resize(actions());
+  turn_moves(moves_, pose, out.attitudes);
+  float least = start_tails(static_cast<float>(branch.cost_before), nodes_.tolerance, out.ends, out.sums);
+  for (const TailNode& node : tail) {
+    if (least >= static_cast<float>(branch.limit)) break;
+    least = add_tail_node(nodes_, out.attitudes, node, out.ends, out.nodes, out.sums);
+  }
 }
 
 ReachBox AttitudeAnts::reach() const {

@@ -12,6 +12,13 @@
 
 namespace alate {
 
+/// Work space and result of price_tails.
+struct TailPrices {
+  Choices ends, nodes;
+  MoveMatrices attitudes;
+  TailSums sums;
+};
+
 class AttitudeAnts {
  public:
   using State = AttitudeState;
@@ -32,9 +39,25 @@ class AttitudeAnts {
   /// Place relative to the start of the flight, as choices give it.
   Eigen::Vector3f place(const State& state) const { return (state.position - site_.mission.start).cast<float>(); }
 
-  /// Cost of flying `actions` from the start, in double; nothing unless every move may be flown and the last, and none
-  /// before it, arrives.
-  std::optional<double> fly(std::span<const std::uint32_t> actions) const;
+  /// Flies `actions` from the start in double until the first arrival; nothing if a move may not be flown, or none
+  /// arrives.
+  std::optional<Flight> fly(std::span<const std::uint32_t> actions) const;
+
+  double move_cost(const State& from, const State& to) const { return space_.move_cost(from, to); }
+  double lower_bound(const State& state) const { return space_.lower_bound(state); }
+
+  /// Nodes of a string of actions, in body axes before it.
+  void unroll(std::span<const std::uint32_t> actions, std::vector<TailNode>& nodes) const;
+
+  /// Cost of every choice at `state` followed by `tail`, until the first arrival, plus `cost_before`: in
+  /// `out.sums.total`, infinite where it does not arrive or is not below `limit`. Single precision, `is_free` not
+  /// asked.
+  struct Branch {
+    const State& state;
+    double cost_before;
+    double limit;
+  };
+  void price_tails(const Branch& branch, std::span<const TailNode> tail, TailPrices& out) const;
 
   /// Where a route that arrives within the step limit can lead, relative to the start: the box of the ellipsoid with
   /// start and goal as foci.

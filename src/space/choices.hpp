@@ -39,6 +39,12 @@ struct Choices {
   }
 };
 
+/// What a string of actions costs until its first arrival, and how many of them that takes.
+struct Flight {
+  double cost = 0;
+  std::size_t moves = 0;
+};
+
 /// Box relative to the start, metres.
 struct ReachBox {
   Eigen::Vector3f min;
