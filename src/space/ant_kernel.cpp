@@ -142,6 +142,15 @@ ALATE_SIMD float add_sums(float tolerance, const Choices& nodes, TailSums& sums)
   return std::bit_cast<float>(least);
 }
 
+/// Can a step from here end inside?
+bool reaches(const NodeModel::Sphere& sphere, const AntPose& pose, float step) {
+  const float dx = pose.position[0] - sphere.x;
+  const float dy = pose.position[1] - sphere.y;
+  const float dz = (pose.position[2] - sphere.z) * sphere.use_z;
+  const float reach = sphere.radius + 1.001F * step;
+  return dx * dx + dy * dy + dz * dz < reach * reach;
+}
+
 Axis axis_of(const AntPose& pose, std::size_t i) {
   return {pose.attitude[3 * i], pose.attitude[3 * i + 1], pose.attitude[3 * i + 2], pose.position[i]};
 }
@@ -203,6 +212,13 @@ void price_choices(const NodeModel& model, Choices& out) {
   guide_to_goal(model, out);
   // The threats are the outer loop: with them inside, the choices would not vectorise.
   for (const NodeModel::Sphere& sphere : model.threats) price_threat(sphere, out);
+}
+
+void price_step(const NodeModel& model, const AntPose& pose, Choices& out) {
+  price_goal(model, out);
+  guide_to_goal(model, out);
+  for (const NodeModel::Sphere& sphere : model.threats)
+    if (reaches(sphere, pose, model.step)) price_threat(sphere, out);
 }
 
 void turn_moves(const MoveMatrices& moves, const AntPose& pose, MoveMatrices& out) {
