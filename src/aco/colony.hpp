@@ -39,6 +39,7 @@ struct ColonyOptions {
   std::uint64_t iterations = 180;  ///< Where neither a budget nor a time limit is given.
   int alpha = 1;                   ///< Power of the trail; 0: no trail.
   double follow = 0;               ///< Share of ants that begin with a part of the best route.
+  double give_up = 0;              ///< An ant that will be dearer than the best by this share ends; 0: never.
   std::size_t step_backs = 0;      ///< An ant without choices steps back, at most this often.
 };
 
@@ -96,14 +97,24 @@ class Colony {
       weigh_choices(state, ant);
       if (const auto taken = choose(state, ant, stream)) {
         state = *taken;
-        if (!space_.is_goal(state)) continue;
-        ant.cost = std::accumulate(ant.costs.begin(), ant.costs.end(), 0.0);  // eq. (37)
-        return;
+        if (space_.is_goal(state)) ant.cost = cost_of(ant);
+        if (ant.arrived() || is_hopeless(ant)) return;
+        continue;
       }
       if (ant.actions.empty() || ant.dead.size() >= options_.step_backs) return;
       ant.step_back(std::size_t{1} << (ant.dead.size() % kBackPowers));
       state = state_after(ant.actions);
     }
+  }
+
+  /// Sum of J over the nodes: eq. (37).
+  static double cost_of(const Ant& ant) { return std::accumulate(ant.costs.begin(), ant.costs.end(), 0.0); }
+
+  /// Would the ant, as far as the guide knows, be much dearer than the best so far?
+  bool is_hopeless(const Ant& ant) const {
+    if (!best_.arrived() || options_.give_up == 0) return false;
+    const double ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
+    return cost_of(ant) + ahead > best_.cost * (1 + options_.give_up);
   }
 
   typename Space::State state_after(const std::vector<std::uint32_t>& actions) const {

@@ -93,6 +93,7 @@ class AttitudeAco {
                                            .iterations = static_cast<std::uint64_t>(values_.integer("iterations")),
                                            .alpha = static_cast<int>(values_.integer("alpha")),
                                            .follow = values_.number("follow"),
+                                           .give_up = values_.number("give_up"),
                                            .step_backs = static_cast<std::size_t>(values_.integer("step_backs"))});
     const Ant& best = colony.run(run);
     history = colony.history();

@@ -50,7 +50,7 @@ std::vector<Parameter> walk_parameters() {
        .help = "Goal-directed: a choice that costs as much as this many steps more is e times less likely.",
        .source = "alate"},
       {.name = "spread",
-       .default_value = 4.0,
+       .default_value = 30.0,
        .min = 1,
        .max = 1e6,
        .help = "Goal-directed: the first ant has the temperature, the last one this many times less.",
@@ -61,6 +61,7 @@ std::vector<Parameter> walk_parameters() {
        .max = 1,
        .help = "Share of ants that begin with a random part of the best route so far.",
        .source = "Wiesemann, Stuetzle 2006 (iterated ants)"},
+      {.name = "give_up", .default_value = 0.02, .min = 0, .max = 1e6, .help = "An ant ends where its cost and the estimated rest are dearer than the best so far by this share; 0: never.", .source = "alate"},
       {.name = "step_backs",
        .default_value = whole(100),
        .min = 0,
@@ -183,7 +184,7 @@ Values published(const Values& changes = {}) {
                 {"iterations", whole(180)},
                 {"local_search", word("none")},
                 {"step_backs", whole(0)},
-                {"follow", 0.0}};
+                {"follow", 0.0}, {"give_up", 0.0}};
   for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
   return values;
 }
