@@ -1,0 +1,59 @@
+// One ant's walk, and what a colony keeps of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "space/choices.hpp"
+
+namespace alate {
+
+/// Name of a place that can carry a trail.
+using TrailKey = std::uint64_t;
+
+struct Ant {
+  std::vector<std::uint32_t> actions;
+  std::vector<TrailKey> keys;  ///< Where every action led: the nodes u_j of the route.
+  std::vector<float> costs;    ///< J of every node.
+  std::vector<TrailKey> dead;  ///< Nodes that it stepped back from.
+  std::size_t index = 0;       ///< In its colony.
+  double cost = kInfinity;     ///< J_c, eq. (37); infinite unless it arrived.
+  Choices choices;             ///< Scratch, kept so that nothing is allocated while walking.
+
+  bool arrived() const { return cost < kInfinity; }
+
+  /// Takes back the last move, which is not tried again.
+  void step_back() {
+    dead.push_back(keys.back());
+    actions.pop_back();
+    keys.pop_back();
+    costs.pop_back();
+  }
+
+  /// Starts with the first `moves` of another ant.
+  void follow(const Ant& other, std::size_t moves) {
+    const auto count = static_cast<std::ptrdiff_t>(moves);
+    actions.assign(other.actions.begin(), other.actions.begin() + count);
+    keys.assign(other.keys.begin(), other.keys.begin() + count);
+    costs.assign(other.costs.begin(), other.costs.begin() + count);
+  }
+
+  void restart() {
+    actions.clear();
+    keys.clear();
+    costs.clear();
+    dead.clear();
+    cost = kInfinity;
+  }
+};
+
+/// What a deposit sees of one iteration.
+struct Harvest {
+  const std::vector<Ant>& ants;
+  const Ant& iteration_best;  ///< May not have arrived.
+  const Ant& best;            ///< Of all iterations; may not have arrived.
+  std::uint64_t iteration = 0;
+};
+
+}  // namespace alate
