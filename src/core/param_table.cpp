@@ -49,7 +49,8 @@ Reading read(const Parameter& parameter, const std::string& text) {
 }
 
 bool in_range(const Parameter& parameter, const ParamValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return *number >= parameter.min && *number <= parameter.max;
+  if (const auto* number = std::get_if<double>(&value))
+    return (parameter.above_min ? *number > parameter.min : *number >= parameter.min) && *number <= parameter.max;
   if (const auto* count = std::get_if<std::int64_t>(&value))
     return static_cast<double>(*count) >= parameter.min && static_cast<double>(*count) <= parameter.max;
   if (const auto* word = std::get_if<std::string>(&value))
@@ -112,6 +113,7 @@ std::string to_text(const ParamValue& value) {
 std::string Parameter::range() const {
   if (std::holds_alternative<bool>(default_value)) return "true | false";
   if (std::holds_alternative<std::string>(default_value)) return fmt::format("{}", fmt::join(choices, " | "));
+  if (above_min) return fmt::format("> {}, <= {}", min, max);
   return fmt::format("{} to {}", min, max);
 }
 

@@ -7,5 +7,6 @@ namespace alate {
 
 PlannerEntry greedy_entry();
 PlannerEntry beam_entry();
+PlannerEntry attitude_aco_entry();
 
 }  // namespace alate

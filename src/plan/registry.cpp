@@ -27,6 +27,7 @@ const Registry& builtin_planners() {
     Registry registry;
     registry.add(beam_entry());
     registry.add(greedy_entry());
+    registry.add(attitude_aco_entry());
     return registry;
   }();
   return kRegistry;

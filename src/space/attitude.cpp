@@ -74,6 +74,12 @@ AttitudeState AttitudeSpace::start() const {
 void AttitudeSpace::expand(const State& state, Candidates& out) const {
   const Pose pose{.position = state.position, .attitude = state.attitude};
   place_candidates(rotations_, pose, step_m_, site_.mission.goal, out);
+  set_base_costs(base_costs(state), out);
+  objective_.add_costs(pose, out);
+  fill_guide(out);
+}
+
+BaseCosts AttitudeSpace::base_costs(const State& state) const {
   const bool at_start = state.step == 0;
   BaseCosts base{
       .limits = limits_, .step_m = step_m_, .before = step_m_ * state.attitude.col(0), .before_is_heading = at_start};
@@ -82,9 +88,12 @@ void AttitudeSpace::expand(const State& state, Candidates& out) const {
     base.leg_cost = objective_.weights().length * step_m_;
     base.climb_cost = objective_.weights().climb;
   }
-  set_base_costs(base, out);
-  objective_.add_costs(pose, out);
-  fill_guide(out);
+  return base;
+}
+
+double AttitudeSpace::move_cost(const State& from, const State& to) const {
+  if (!within_limits(base_costs(from), to.position - from.position)) return kInfinity;
+  return objective_.leg_cost({from.position, to.position});
 }
 
 void AttitudeSpace::fill_guide(Candidates& out) const {

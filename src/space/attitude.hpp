@@ -35,6 +35,8 @@ class AttitudeSpace {
   bool arrives(const Candidates& candidates, std::size_t k) const;
   State next(const State& state, std::size_t k) const;
   bool is_free(const State& from, const State& to) const;
+  /// Cost of the leg between two states in a row; infinite where a limit of the aircraft is broken.
+  double move_cost(const State& from, const State& to) const;
   bool is_goal(const State& state) const;
   double lower_bound(const State& state) const;
   /// Scale 1: half a step in the plane, a quarter in height, 15 degrees of direction.
@@ -47,6 +49,7 @@ class AttitudeSpace {
   const RotationSet& rotations() const { return rotations_; }
 
  private:
+  BaseCosts base_costs(const State& state) const;
   void fill_guide(Candidates& out) const;
 
   const World& world_;

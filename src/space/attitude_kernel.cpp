@@ -2,12 +2,7 @@
 
 #include <cmath>
 
-// Sanitizers instrument the resolver that picks a version before they are set up, so they get one version only.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ALATE_SIMD __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define ALATE_SIMD
-#endif
+#include "space/simd.hpp"
 
 namespace alate {
 
@@ -76,6 +71,33 @@ void place_candidates(const RotationSet& rotations, const Pose& pose, double ste
   measure_to(goal, out);
 }
 
+namespace {
+
+/// The tests of one leg, prepared for all legs that start in one state.
+struct LegTest {
+  double ax, ay, before_m, usable_before_m, max_sine, min_sine, radius;
+
+  explicit LegTest(const BaseCosts& base)
+      : ax(base.before.x()),
+        ay(base.before.y()),
+        before_m(std::sqrt(ax * ax + ay * ay)),
+        usable_before_m(base.before_is_heading ? kInfinity : before_m),
+        max_sine(base.limits.max_sine + kSlack),
+        min_sine(base.limits.min_sine - kSlack),
+        radius(base.limits.turn_radius_m * (1 - kSlack)) {}
+
+  bool passes(double bx, double by, double sine) const {
+    const double after_m = std::sqrt(bx * bx + by * by);
+    // tan(theta / 2) = |cross| / (|a| |b| + dot)
+    const double cross = std::abs(ax * by - ay * bx);
+    const double denominator = before_m * after_m + (ax * bx + ay * by);
+    const double usable_m = usable_before_m < after_m ? usable_before_m : after_m;
+    return (radius * cross <= 0.5 * usable_m * denominator) & (sine <= max_sine) & (sine >= min_sine);
+  }
+};
+
+}  // namespace
+
 ALATE_SIMD void set_base_costs(const BaseCosts& base, Candidates& out) {
   const std::size_t count = out.size();
   const double* __restrict ux = aligned(out.ux);
@@ -83,27 +105,16 @@ ALATE_SIMD void set_base_costs(const BaseCosts& base, Candidates& out) {
   const double* __restrict uz = aligned(out.uz);
   double* __restrict cost = aligned(out.cost);
   const double s = base.step_m;
-  const double ax = base.before.x();
-  const double ay = base.before.y();
-  const double before_m = std::sqrt(ax * ax + ay * ay);
-  const double usable_before_m = base.before_is_heading ? kInfinity : before_m;
-  const double max_sine = base.limits.max_sine + kSlack;
-  const double min_sine = base.limits.min_sine - kSlack;
-  const double radius = base.limits.turn_radius_m * (1 - kSlack);
+  const LegTest test(base);
   for (std::size_t k = 0; k < count; ++k) {
-    const double bx = s * ux[k];
-    const double by = s * uy[k];
-    const double after_m = std::sqrt(bx * bx + by * by);
-    // tan(theta / 2) = |cross| / (|a| |b| + dot)
-    const double cross = std::abs(ax * by - ay * bx);
-    const double denominator = before_m * after_m + (ax * bx + ay * by);
-    const double usable_m = usable_before_m < after_m ? usable_before_m : after_m;
-    const bool turns = radius * cross <= 0.5 * usable_m * denominator;
-    const bool slopes = (uz[k] <= max_sine) & (uz[k] >= min_sine);
     const double rise_m = uz[k] > 0 ? s * uz[k] : 0.0;
     const double price = base.leg_cost + base.climb_cost * rise_m;
-    cost[k] = (turns & slopes) ? price : kInfinity;
+    cost[k] = test.passes(s * ux[k], s * uy[k], uz[k]) ? price : kInfinity;
   }
+}
+
+bool within_limits(const BaseCosts& base, const Vec3& leg) {
+  return LegTest(base).passes(leg.x(), leg.y(), leg.z() / base.step_m);
 }
 
 ALATE_SIMD void add_node_costs(double fuel, const std::vector<NodeThreat>& threats, Candidates& out) {

@@ -40,6 +40,9 @@ struct BaseCosts {
 };
 void set_base_costs(const BaseCosts& base, Candidates& out);
 
+/// The same tests for one leg.
+bool within_limits(const BaseCosts& base, const Vec3& leg);
+
 /// Threat of the node model: weight * max(0, radius - d), d to the centre, or to the axis between two heights.
 struct NodeThreat {
   Vec3 center;

@@ -24,6 +24,7 @@ class Objective {
   void add_costs(const Pose& pose, Candidates& out) const;
 
   const ObjectiveSpec& weights() const { return weights_; }
+  const std::vector<NodeThreat>& node_threats() const { return threats_; }
   bool is_physical() const { return weights_.model == CostModel::physical; }
 
  private:

@@ -18,10 +18,11 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"world", {"core", "data", "world"}},
     {"space", {"core", "data", "world", "space"}},
     {"search", {"core", "data", "world", "space", "search"}},
-    {"plan", {"core", "data", "world", "space", "search", "plan"}},
+    {"aco", {"core", "data", "world", "space", "aco"}},
+    {"plan", {"core", "data", "world", "space", "search", "aco", "plan"}},
     {"check", {"core", "data", "check"}},
-    {"out", {"core", "data", "world", "space", "search", "plan", "check", "out"}},
-    {"study", {"core", "data", "world", "space", "search", "plan", "check", "out", "study"}},
+    {"out", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out"}},
+    {"study", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out", "study"}},
 };
 
 /// Module that an include line names: "alate/data/site.hpp" and "data/limits.hpp" are both `data`.

@@ -24,11 +24,12 @@ struct Parameter {
   ParamValue default_value;
   double min = 0;  ///< Numbers only; both ends allowed.
   double max = 0;
+  bool above_min = false;  ///< `min` itself is not allowed.
   std::vector<std::string> choices;  ///< Text only.
   std::string help;
   std::string source;  ///< Paper and equation, or "alate".
 
-  /// "0 to 1", "J | J+h", "true | false".
+  /// "0 to 1", "> 0, <= 1", "J | J+h", "true | false".
   std::string range() const;
 };
 

@@ -1,0 +1,171 @@
+// The ant colony: one loop for every colony of alate.
+//
+// Source: Konatowski, Pawlowski 2019, section 3; the scheme is that of Dorigo, Maniezzo, Colorni 1996. What the colony
+// does at each place of the loop is up to five policies:
+//   Heuristic    eta^beta: how good choices look                                    aco/heuristic/
+//   Transition   which choice is taken                                              aco/transition/
+//   Trail        tau: levels on places, and what an unknown place has               aco/pheromone/
+//   Deposit      who leaves how much                                                aco/deposit/
+//   LocalSearch  what is done to the best ant of an iteration                       aco/local_search/
+//
+// Departures from the paper:
+// - K in eq. (1) is printed as part of the known nodes N; that would leave no choice at first. Read as: the choices
+// that
+//   are not on the ant's own route (and may be flown). Only a choice about to be taken is tested, and drawn again if it
+//   is not in K: the chances are the same.
+// - An ant that does not arrive within the step limit leaves nothing, but its nodes join N.
+// Cost: ants x steps x choices an iteration. Determinism: ant a draws from Stream(seed, iteration, a) and writes slot
+// a; trails change between walks only, in order of ants. The same bits for any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+
+#include "aco/ant.hpp"
+#include "aco/ant_space.hpp"
+#include "aco/weights.hpp"
+#include "alate/core/run_context.hpp"
+#include "alate/core/stream.hpp"
+#include "alate/world/problem.hpp"
+
+namespace alate {
+
+struct ColonyOptions {
+  std::size_t ants = 50;
+  std::uint64_t iterations = 180;  ///< Where neither a budget nor a time limit is given.
+  int alpha = 1;                   ///< Power of the trail; 0: no trail.
+};
+
+template <class Heuristic, class Transition, class Trail, class Deposit, class LocalSearch>
+struct ColonyPolicies {
+  Heuristic heuristic;
+  Transition transition;
+  Trail trail;
+  Deposit deposit;
+  LocalSearch local_search;
+};
+
+template <AntSpace Space, class Policies>
+class Colony {
+ public:
+  Colony(const Space& space, Policies policies, ColonyOptions options)
+      : space_(space), policies_(std::move(policies)), options_(options), ants_(options.ants) {}
+
+  /// The best ant of all iterations; it has not arrived if none did.
+  const Ant& run(RunContext& run) {
+    while (run.start_iteration(options_.iterations)) {
+      walk_all(run);
+      const Ant& iteration_best = improved_best(run);
+      if (iteration_best.cost < best_.cost) best_ = iteration_best;
+      history_.push_back(stats());
+      if (!run.keep_going()) break;
+      for (const Ant& ant : ants_)
+        for (const TrailKey node : ant.keys) policies_.trail.join(node);  // eq. (28)
+      policies_.trail.evaporate();                                        // eq. (2)
+      policies_.deposit(policies_.trail, Harvest{ants_, iteration_best, best_, run.iterations()});
+      run.report(best_.arrived() ? std::optional(best_.cost) : std::nullopt);
+    }
+    return best_;
+  }
+
+  const std::vector<IterationStats>& history() const { return history_; }
+  std::uint64_t moves() const { return moves_; }
+
+ private:
+  void walk_all(RunContext& run) {
+    run.executor().for_ranges(ants_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t a = begin; a < end; ++a) walk(ants_[a], Stream(run.seed(), run.iterations(), a), run);
+    });
+  }
+
+  /// One ant, until it arrives, is stuck, or meets the step limit.
+  void walk(Ant& ant, Stream stream, RunContext& run) const {
+    ant.restart();
+    double cost = 0;
+    typename Space::State state = space_.start();
+    while (ant.actions.size() < space_.step_limit()) {
+      if (ant.actions.size() % kPollEvery == 0 && !run.keep_going()) return;
+      weigh_choices(state, ant.choices);
+      const auto taken = choose(state, ant, stream);
+      if (!taken) return;
+      cost += static_cast<double>(ant.choices.cost[ant.actions.back()]);  // eq. (37)
+      state = *taken;
+      if (space_.is_goal(state)) {
+        ant.cost = cost;
+        return;
+      }
+    }
+  }
+
+  /// Numerators of eq. (1): tau_k^alpha (1 / J_k)^beta.
+  void weigh_choices(const typename Space::State& state, Choices& choices) const {
+    space_.look(state, choices);
+    policies_.heuristic(choices);
+    policies_.trail.read(choices);  // eq. (35)
+    multiply_by_trail(options_.alpha, choices);
+  }
+
+  /// Draws from K and moves the ant; nothing where K is empty.
+  std::optional<typename Space::State> choose(const typename Space::State& state, Ant& ant, Stream& stream) const {
+    Choices& choices = ant.choices;
+    for (;;) {
+      const std::size_t k = policies_.transition(choices, stream);
+      if (k >= space_.actions()) return std::nullopt;
+      typename Space::State ahead = space_.next(state, k);
+      const bool on_route = std::ranges::find(ant.keys, choices.key[k]) != ant.keys.end();
+      if (!on_route && space_.is_free(state, ahead)) {
+        ant.known += policies_.trail.known(choices.key[k]) ? 1U : 0U;
+        ant.actions.push_back(static_cast<std::uint32_t>(k));
+        ant.keys.push_back(choices.key[k]);
+        return ahead;
+      }
+      choices.weight[k] = 0;
+    }
+  }
+
+  /// The best ant of this iteration after local search, its cost exact.
+  const Ant& improved_best(RunContext& run) {
+    const auto found = std::ranges::min_element(ants_, {}, &Ant::cost);
+    if (!found->arrived()) return *found;
+    const auto flight = space_.fly(found->actions);
+    assert(flight);
+    found->cost = flight->cost;
+    if (policies_.local_search(space_, *found, best_.cost, run)) policies_.trail.name_route(space_, *found);
+    return *found;
+  }
+
+  IterationStats stats() {
+    IterationStats result;
+    std::size_t arrived = 0;
+    std::uint64_t moves = 0;
+    std::uint64_t known = 0;
+    double sum = 0;
+    for (const Ant& ant : ants_) {
+      moves += ant.actions.size();
+      known += ant.known;
+      if (!ant.arrived()) continue;
+      ++arrived;
+      sum += ant.cost;
+      result.best = std::min(result.best.value_or(ant.cost), ant.cost);
+      result.worst = std::max(result.worst.value_or(ant.cost), ant.cost);
+    }
+    moves_ += moves;
+    if (best_.arrived()) result.best_so_far = best_.cost;
+    if (arrived != 0) result.mean = sum / static_cast<double>(arrived);
+    result.arrived = static_cast<double>(arrived) / static_cast<double>(ants_.size());
+    if (moves != 0) result.known = static_cast<double>(known) / static_cast<double>(moves);
+    return result;
+  }
+
+  static constexpr std::size_t kPollEvery = 8;
+
+  const Space& space_;
+  Policies policies_;
+  ColonyOptions options_;
+  std::vector<Ant> ants_;
+  Ant best_;
+  std::vector<IterationStats> history_;
+  std::uint64_t moves_ = 0;
+};
+
+}  // namespace alate

@@ -1,0 +1,46 @@
+// Trail cells in a dense grid over the box that routes can reach.
+//
+// Places outside the box share its outermost cells: no route that arrives comes there. Memory that is never touched is
+// never paid for (calloc).
+#pragma once
+
+#include <cassert>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "aco/ant.hpp"
+#include "aco/pheromone/levels.hpp"
+
+namespace alate {
+
+class GridCells {
+ public:
+  static constexpr double kMostBytes = 64e6;
+
+  /// Nothing if the box has too many cells of this size.
+  static std::optional<GridCells> over(const ReachBox& box, float cell_m);
+
+  void name(Choices& choices) const;
+  TrailKey name(float x, float y, float z) const;
+  TrailCell find(TrailKey key) const { return cells_[key]; }
+  TrailCell& at(TrailKey key) { return cells_[key]; }
+
+ private:
+  struct Free {
+    void operator()(TrailCell* cells) const { std::free(cells); }
+  };
+  struct Axis {
+    float from = 0;
+    float per_cell = 0;
+    float last = 0;  ///< Greatest index.
+  };
+  GridCells() = default;
+
+  Axis x_, y_, z_;
+  std::int32_t columns_ = 0;
+  std::int32_t layer_ = 0;  ///< Cells of one layer.
+  std::unique_ptr<TrailCell[], Free> cells_;
+};
+
+}  // namespace alate

@@ -1,0 +1,84 @@
+// Trail cells in a hash table: for boxes too large for a grid, and for exact points (cells of 1e-4 units).
+//
+// A place is named by 64 mixed bits of its three rounded coordinates; two of a million places share a name with a
+// chance of 3e-8. Never iterated, so the order of entry does not show.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "aco/ant.hpp"
+#include "aco/pheromone/levels.hpp"
+
+namespace alate {
+
+class HashCells {
+ public:
+  explicit HashCells(double cell_m) : per_cell_(1 / cell_m), slots_(kFirstSlots) {}
+
+  void name(Choices& choices) const {
+    for (std::size_t k = 0; k < choices.key.size(); ++k)
+      choices.key[k] = name(choices.x[k], choices.y[k], choices.z[k]);
+  }
+
+  /// key = round(coordinate / cell).
+  TrailKey name(float x, float y, float z) const {
+    const TrailKey mixed = mix(mix(mix(rounded(x)) ^ rounded(y)) ^ rounded(z));
+    return mixed == kEmpty ? 1 : mixed;
+  }
+
+  TrailCell find(TrailKey key) const {
+    for (std::size_t i = key & (slots_.size() - 1); slots_[i].key != kEmpty; i = (i + 1) & (slots_.size() - 1))
+      if (slots_[i].key == key) return slots_[i].cell;
+    return {};
+  }
+
+  TrailCell& at(TrailKey key) {
+    if (2 * used_ >= slots_.size()) grow();
+    Slot& slot = slot_of(key);
+    if (slot.key == kEmpty) {
+      slot.key = key;
+      ++used_;
+    }
+    return slot.cell;
+  }
+
+ private:
+  static constexpr TrailKey kEmpty = 0;
+  static constexpr std::size_t kFirstSlots = 1024;
+  struct Slot {
+    TrailKey key = kEmpty;
+    TrailCell cell;
+  };
+
+  std::uint64_t rounded(float value) const {
+    return static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(std::floor(static_cast<double>(value) * per_cell_ + 0.5)));
+  }
+  /// The finaliser of SplitMix64.
+  static std::uint64_t mix(std::uint64_t z) {
+    z += 0x9E3779B97F4A7C15ULL;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31);
+  }
+
+  Slot& slot_of(TrailKey key) {
+    std::size_t i = key & (slots_.size() - 1);
+    while (slots_[i].key != kEmpty && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i];
+  }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    std::swap(old, slots_);
+    for (const Slot& slot : old)
+      if (slot.key != kEmpty) slot_of(slot.key) = slot;
+  }
+
+  double per_cell_;
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace alate

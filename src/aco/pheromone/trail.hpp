@@ -1,0 +1,71 @@
+// The pheromone model: levels on the places of a store.
+//
+// A store names places (`name`), finds the cell of a name (`find`, never changes anything) and makes one (`at`).
+// Ants only read, at the same time; changes come between iterations, from one thread and in order of ants.
+#pragma once
+
+#include <concepts>
+
+#include "aco/ant.hpp"
+#include "aco/pheromone/levels.hpp"
+
+namespace alate {
+
+template <class T>
+concept TrailStore = requires(const T& store, T& changing, Choices& choices, TrailKey key, float x) {
+  { store.name(choices) };  // fills choices.key
+  { store.name(x, x, x) } -> std::same_as<TrailKey>;
+  { store.find(key) } -> std::convertible_to<TrailCell>;
+  { changing.at(key) } -> std::same_as<TrailCell&>;
+};
+
+template <TrailStore Store>
+class Trail {
+ public:
+  Trail(Store store, const TrailRule& rule) : store_(std::move(store)), levels_(rule) {}
+
+  /// tau_k of all choices: eq. (35), the stored value, or that of an unknown place.
+  void read(Choices& choices) const {
+    store_.name(choices);
+    for (std::size_t k = 0; k < choices.key.size(); ++k) choices.trail[k] = levels_.read(store_.find(choices.key[k]));
+  }
+
+  /// Names the nodes of a route that was changed after the walk.
+  template <class Space>
+  void name_route(const Space& space, Ant& ant) const {
+    ant.keys.clear();
+    auto state = space.start();
+    for (const std::uint32_t k : ant.actions) {
+      state = space.next(state, k);
+      const Eigen::Vector3f place = space.place(state);
+      ant.keys.push_back(store_.name(place.x(), place.y(), place.z()));
+    }
+  }
+
+  bool known(TrailKey key) const { return store_.find(key).stamp != 0; }
+  float level(TrailKey key) const { return levels_.read(store_.find(key)); }
+
+  /// The place becomes a member of N, eq. (28), with the level of an unknown one.
+  void join(TrailKey key) {
+    if (levels_.unknown_decays()) return;
+    TrailCell& cell = store_.at(key);
+    if (cell.stamp == 0) levels_.write(cell, levels_.read(cell));
+  }
+  void add(TrailKey key, double amount) {
+    TrailCell& cell = store_.at(key);
+    levels_.write(cell, static_cast<double>(levels_.read(cell)) + amount);
+  }
+  /// tau <- (1 - share) tau + share * target.
+  void blend(TrailKey key, double share, double target) {
+    TrailCell& cell = store_.at(key);
+    levels_.write(cell, (1 - share) * static_cast<double>(levels_.read(cell)) + share * target);
+  }
+  void evaporate() { levels_.evaporate(); }
+  TrailLevels& levels() { return levels_; }
+
+ private:
+  Store store_;
+  TrailLevels levels_;
+};
+
+}  // namespace alate

@@ -1,0 +1,156 @@
+// Ants on the attitude lattice: Konatowski, Pawlowski 2019 as published, and made good.
+//
+// Every preset is a row of parameter values; the loop is aco/colony.hpp.
+#include <variant>
+
+#include "aco/colony.hpp"
+#include "aco/deposit/ant_system.hpp"
+#include "aco/deposit/colony_system.hpp"
+#include "aco/deposit/max_min.hpp"
+#include "aco/deposit/none.hpp"
+#include "aco/deposit/rank_based.hpp"
+#include "aco/heuristic/goal_directed.hpp"
+#include "aco/heuristic/power.hpp"
+#include "aco/local_search/action_string.hpp"
+#include "aco/local_search/none.hpp"
+#include "aco/pheromone/grid_cells.hpp"
+#include "aco/pheromone/hash_cells.hpp"
+#include "aco/pheromone/trail.hpp"
+#include "aco/transition/pseudo_random.hpp"
+#include "aco/transition/roulette.hpp"
+#include "plan/attitude_aco_parameters.hpp"
+#include "plan/attitude_plan.hpp"
+#include "plan/attitude_planners.hpp"
+#include "space/attitude_ants.hpp"
+
+namespace alate {
+
+namespace {
+
+/// One of several policies, picked by parameters; asked once a step, which costs little.
+template <class... Policies>
+struct OneOf {
+  std::variant<Policies...> policy;
+
+  template <class... Arguments>
+  decltype(auto) operator()(Arguments&&... arguments) const {
+    return std::visit([&](const auto& one) -> decltype(auto) { return one(arguments...); }, policy);
+  }
+  template <class... Arguments>
+  decltype(auto) operator()(Arguments&&... arguments) {
+    return std::visit([&](auto& one) -> decltype(auto) { return one(arguments...); }, policy);
+  }
+};
+
+using AnyHeuristic = OneOf<GoalDirected, PowerHeuristic>;
+using AnyTransition = OneOf<Roulette, PseudoRandom>;
+using AnyDeposit = OneOf<NoDeposit, AntSystem, RankBased, MaxMin, ColonySystem>;
+using AnyLocalSearch = OneOf<NoLocalSearch, ActionString>;
+
+class AttitudeAco {
+ public:
+  explicit AttitudeAco(ParamValues values) : values_(std::move(values)) {}
+
+  Plan plan(const Problem& problem, RunContext& run) const {
+    std::vector<IterationStats> history;
+    const auto step_limit = static_cast<std::size_t>(values_.integer("step_limit"));
+    Plan plan = plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& lattice) {
+      const AttitudeAnts space(problem.world, lattice);
+      if (lattice.is_goal(lattice.start())) return SearchResult{.found = true, .cost = 0};
+      const double cell_m = trail_cell_m(problem);
+      if (std::optional<GridCells> grid = dense_grid(space, cell_m))
+        return fly_colony(space, *std::move(grid), run, history);
+      return fly_colony(space, HashCells(cell_m), run, history);
+    });
+    plan.history = std::move(history);
+    return plan;
+  }
+
+ private:
+  bool on_points() const { return values_.text("trail") == "points"; }
+
+  double trail_cell_m(const Problem& problem) const {
+    constexpr double kPoint = 1e-4;  // of a metre: what counts as the same point
+    return on_points() ? kPoint : values_.number("trail_cell") * *problem.vehicle.step_m;
+  }
+
+  std::optional<GridCells> dense_grid(const AttitudeAnts& space, double cell_m) const {
+    if (on_points()) return std::nullopt;
+    return GridCells::over(space.reach(), static_cast<float>(cell_m));
+  }
+
+  template <class Store>
+  SearchResult fly_colony(const AttitudeAnts& space, Store store, RunContext& run,
+                          std::vector<IterationStats>& history) const {
+    using Policies = ColonyPolicies<AnyHeuristic, AnyTransition, Trail<Store>, AnyDeposit, AnyLocalSearch>;
+    Colony<AttitudeAnts, Policies> colony(space,
+                                          Policies{.heuristic = heuristic(space),
+                                                   .transition = transition(),
+                                                   .trail = Trail<Store>(std::move(store), trail_rule()),
+                                                   .deposit = deposit(),
+                                                   .local_search = local_search()},
+                                          {.ants = static_cast<std::size_t>(values_.integer("ants")),
+                                           .alpha = static_cast<int>(values_.integer("alpha"))});
+    const Ant& best = colony.run(run);
+    history = colony.history();
+    return {.found = best.arrived(),
+            .actions = {best.actions.begin(), best.actions.end()},
+            .cost = best.cost,
+            .expansions = colony.moves(),
+            .candidates = colony.moves() * space.actions()};
+  }
+
+  AnyHeuristic heuristic(const AttitudeAnts& space) const {
+    if (values_.text("heuristic") == "1/J") return {PowerHeuristic{static_cast<int>(values_.integer("beta"))}};
+    return {GoalDirected{static_cast<float>(values_.number("temperature") * space.step_price())}};
+  }
+
+  AnyTransition transition() const {
+    const double q0 = values_.number("q0");
+    if (q0 > 0) return {PseudoRandom{q0}};
+    return {Roulette{}};
+  }
+
+  TrailRule trail_rule() const {
+    const bool max_min = values_.text("deposit") == "max-min";
+    const bool worn_locally = values_.text("deposit") == "acs";
+    return {.evaporation = worn_locally ? 0 : values_.number("evaporation"), .unknown_decays = max_min};
+  }
+
+  AnyDeposit deposit() const {
+    const std::string& name = values_.text("deposit");
+    const double q = values_.number("q");
+    const double evaporation = values_.number("evaporation");
+    if (name == "ant-system") return {AntSystem{q}};
+    if (name == "rank") return {RankBased{q, static_cast<std::size_t>(values_.integer("rank_w"))}};
+    if (name == "max-min")
+      return {MaxMin{.q = q,
+                     .evaporation = evaporation,
+                     .ratio = values_.number("trail_ratio"),
+                     .best_every = static_cast<std::uint64_t>(values_.integer("best_every"))}};
+    if (name == "acs") return {ColonySystem{.q = q, .evaporation = evaporation, .wear = values_.number("wear")}};
+    return {NoDeposit{}};
+  }
+
+  AnyLocalSearch local_search() const {
+    if (values_.text("local_search") == "none") return {NoLocalSearch{}};
+    return {ActionString{.pair_distance = static_cast<std::size_t>(values_.integer("pair_distance")),
+                         .pair_margin = values_.number("pair_margin")}};
+  }
+
+  ParamValues values_;
+};
+
+}  // namespace
+
+PlannerEntry attitude_aco_entry() {
+  return {.name = "attitude-aco",
+          .help = "An ant colony that picks rotations of the aircraft: as published in 2019, and made good.",
+          .can = {.anytime = true, .terrain = true, .threats = true, .space = "attitude lattice"},
+          .presets = attitude_aco_presets(),
+          .parameters = ParamTable(attitude_aco_parameters()),
+          .refuses = attitude_refusal,
+          .make = [](const ParamValues& values) { return Planner(AttitudeAco(values)); }};
+}
+
+}  // namespace alate

@@ -1,0 +1,192 @@
+#include "plan/attitude_aco_parameters.hpp"
+
+namespace alate {
+
+namespace {
+
+constexpr const char* kPaper = "Konatowski, Pawlowski 2019, section 4";
+
+std::int64_t whole(std::int64_t value) { return value; }
+std::string word(const char* text) { return text; }
+
+std::vector<Parameter> walk_parameters() {
+  return {
+      {.name = "ants",
+       .default_value = whole(50),
+       .min = 1,
+       .max = 100000,
+       .help = "Walks an iteration.",
+       .source = "alate: the paper leaves it open"},
+      {.name = "step_limit",
+       .default_value = whole(0),
+       .min = 0,
+       .max = 1e6,
+       .help = "Longest route in steps; 0: 3.4 times the direct distance (40 in the paper's case).",
+       .source = "alate: the paper leaves it open"},
+      {.name = "heuristic",
+       .default_value = word("goal-directed"),
+       .choices = {"goal-directed", "1/J"},
+       .help = "How good a choice looks: by its own cost J and the estimated cost h from there to the goal, or by "
+               "(1/J)^beta alone.",
+       .source = "1/J: Konatowski, Pawlowski 2019, eq. (1); goal-directed: alate"},
+      {.name = "beta",
+       .default_value = whole(3),
+       .min = 0,
+       .max = 16,
+       .help = "Power of 1/J.",
+       .source = "Konatowski, Pawlowski 2019, eq. (1), beta"},
+      {.name = "temperature",
+       .unit = "steps",
+       .default_value = 0.35,
+       .min = 0,
+       .max = 1e6,
+       .above_min = true,
+       .help = "Goal-directed: a choice that costs this many steps of flight more is e times less likely.",
+       .source = "alate"},
+      {.name = "q0",
+       .default_value = 0.0,
+       .min = 0,
+       .max = 1,
+       .help = "Chance to take the best choice instead of drawing one.",
+       .source = "Dorigo, Gambardella 1997, eq. (3)"},
+  };
+}
+
+std::vector<Parameter> trail_parameters() {
+  return {
+      {.name = "alpha",
+       .default_value = whole(1),
+       .min = 0,
+       .max = 16,
+       .help = "Power of the trail; 0: trails count for nothing.",
+       .source = "Konatowski, Pawlowski 2019, eq. (1), alpha"},
+      {.name = "trail",
+       .default_value = word("cells"),
+       .choices = {"cells", "points"},
+       .help = "What carries pheromone: cubic cells, or points that agree to 1e-4 m.",
+       .source = "points: Konatowski, Pawlowski 2019, eqs. (28), (35); cells: alate"},
+      {.name = "trail_cell",
+       .unit = "steps",
+       .default_value = 0.25,
+       .min = 0,
+       .max = 100,
+       .above_min = true,
+       .help = "Edge of a trail cell.",
+       .source = "alate"},
+      {.name = "evaporation",
+       .default_value = 0.2,
+       .min = 0,
+       .max = 1,
+       .above_min = true,
+       .help = "Share of a trail that evaporates an iteration.",
+       .source = "Konatowski, Pawlowski 2019, eq. (2), rho"},
+      {.name = "deposit",
+       .default_value = word("max-min"),
+       .choices = {"max-min", "ant-system", "rank", "acs", "none"},
+       .help = "Who leaves pheromone, and whether unknown places decay (max-min) or stay at 1.",
+       .source = "ant-system: Konatowski, Pawlowski 2019, eqs. (3), (4); rank: Bullnheimer et al. 1999; max-min: "
+                 "Stuetzle, Hoos 2000; acs: Dorigo, Gambardella 1997"},
+      {.name = "q",
+       .default_value = 50.0,
+       .min = 0,
+       .max = 1e12,
+       .above_min = true,
+       .help = "An ant of cost J leaves q / J.",
+       .source = "Konatowski, Pawlowski 2019, eq. (4), Q"},
+      {.name = "rank_w",
+       .default_value = whole(6),
+       .min = 1,
+       .max = 1000,
+       .help = "rank: weight of the best so far; w - 1 ants deposit.",
+       .source = "Bullnheimer, Hartl, Strauss 1999, eqs. (3), (4)"},
+      {.name = "trail_ratio",
+       .default_value = 20.0,
+       .min = 1,
+       .max = 1e6,
+       .help = "max-min: greatest over least trail.",
+       .source = "Stuetzle, Hoos 2000, section 2.3"},
+      {.name = "best_every",
+       .unit = "iterations",
+       .default_value = whole(3),
+       .min = 0,
+       .max = 1e9,
+       .help = "max-min: every so often the best so far deposits instead of the iteration's best; 0: never.",
+       .source = "Stuetzle, Hoos 2000, section 2.2"},
+      {.name = "wear",
+       .default_value = 0.1,
+       .min = 0,
+       .max = 1,
+       .help = "acs: share of a trail that a visit wears away.",
+       .source = "Dorigo, Gambardella 1997, eq. (5), xi"},
+  };
+}
+
+std::vector<Parameter> search_parameters() {
+  return {
+      {.name = "local_search",
+       .default_value = word("action-string"),
+       .choices = {"action-string", "none"},
+       .help = "What is done to the best ant of an iteration.",
+       .source = "alate"},
+      {.name = "pair_distance",
+       .unit = "moves",
+       .default_value = whole(3),
+       .min = 0,
+       .max = 1000,
+       .help = "action-string: two moves at most this far apart are changed together; 0: only one at a time.",
+       .source = "alate"},
+      {.name = "pair_margin",
+       .default_value = 0.002,
+       .min = 0,
+       .max = 1,
+       .help = "action-string: pairs are tried on routes at most this share dearer than the best so far.",
+       .source = "alate"},
+  };
+}
+
+using Values = std::map<std::string, ParamValue>;
+
+/// The published rule, with what `changes` says.
+Values published(const Values& changes = {}) {
+  Values values{{"heuristic", word("1/J")},
+                {"beta", whole(3)},
+                {"alpha", whole(1)},
+                {"trail", word("points")},
+                {"evaporation", 0.8},
+                {"deposit", word("ant-system")},
+                {"q", 50.0},
+                {"ants", whole(50)},
+                {"local_search", word("none")}};
+  for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
+  return values;
+}
+
+}  // namespace
+
+std::vector<Parameter> attitude_aco_parameters() {
+  std::vector<Parameter> all = walk_parameters();
+  for (Parameter& parameter : trail_parameters()) all.push_back(std::move(parameter));
+  for (Parameter& parameter : search_parameters()) all.push_back(std::move(parameter));
+  return all;
+}
+
+std::vector<Preset> attitude_aco_presets() {
+  return {
+      {.name = "guided", .help = "Looks ahead to the goal, MAX-MIN trails on cells, local search on the actions."},
+      {.name = "konatowski2019", .help = "Ant System as published.", .values = published()},
+      {.name = "konatowski2019-rank",
+       .help = "The published rule with rank-based deposits, the paper's own next step.",
+       .values = published({{"deposit", word("rank")}})},
+      {.name = "konatowski2019-mmas",
+       .help = "The published rule with MAX-MIN trails, the paper's own next step.",
+       .values = published({{"deposit", word("max-min")}, {"evaporation", 0.2}})},
+      {.name = "acs",
+       .help = "Ant Colony System with the goal-directed heuristic on trail cells.",
+       .values = {{"deposit", word("acs")}, {"q0", 0.5}, {"evaporation", 0.1}, {"local_search", word("none")}}},
+      {.name = "no-pheromone",
+       .help = "The published walks with tau = 1 always: what pheromone has to beat.",
+       .values = published({{"deposit", word("none")}, {"alpha", whole(0)}})},
+  };
+}
+
+}  // namespace alate

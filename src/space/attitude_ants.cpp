@@ -1,0 +1,104 @@
+#include "space/attitude_ants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alate {
+
+namespace {
+
+void narrow(const AlignedDoubles& from, AlignedFloats& to) {
+  std::ranges::transform(from, to.begin(), [](double value) { return static_cast<float>(value); });
+}
+
+}  // namespace
+
+AttitudeAnts::AttitudeAnts(const World& world, const AttitudeSpace& space)
+    : site_(world.site()),
+      space_(space),
+      moves_(move_matrices(space.rotations())),
+      nodes_(site_, space.objective().node_threats()),
+      step_m_(static_cast<float>(*site_.vehicle.step_m)) {
+  const Vehicle& vehicle = site_.vehicle;
+  single_ = !space.objective().is_physical() && !vehicle.climb_rad && !vehicle.descent_rad && !vehicle.turn_radius_m;
+}
+
+void AttitudeAnts::look(const State& state, Choices& out) const {
+  out.resize(actions());
+  if (single_) {
+    place_choices(moves_, AntPose(state.position - site_.mission.start, state.attitude), step_m_, out);
+    price_choices(nodes_, out);
+  } else {
+    look_in_double(state, out);
+  }
+  std::fill(out.cost.begin() + static_cast<std::ptrdiff_t>(actions()), out.cost.end(),
+            std::numeric_limits<float>::infinity());
+}
+
+void AttitudeAnts::look_in_double(const State& state, Choices& out) const {
+  space_.expand(state, out.wide);
+  place_choices(moves_, AntPose(state.position - site_.mission.start, state.attitude), step_m_, out);
+  narrow(out.wide.to_goal, out.to_goal);
+  narrow(out.wide.cost, out.cost);
+  narrow(out.wide.guide, out.guide);
+}
+
+std::optional<Flight> AttitudeAnts::fly(std::span<const std::uint32_t> actions) const {
+  Flight flight;
+  State state = start();
+  for (const std::uint32_t k : actions) {
+    State ahead = next(state, k);
+    flight.cost += space_.move_cost(state, ahead);
+    ++flight.moves;
+    if (flight.cost == kInfinity || !is_free(state, ahead)) return std::nullopt;
+    state = ahead;
+    if (is_goal(state)) return flight;
+  }
+  return std::nullopt;
+}
+
+void AttitudeAnts::unroll(std::span<const std::uint32_t> actions, std::vector<TailNode>& nodes) const {
+  nodes.clear();
+  Eigen::Vector3f place = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f attitude = Eigen::Matrix3f::Identity();
+  for (const std::uint32_t k : actions) {
+    attitude = attitude * space_.rotations().matrix(k).cast<float>();
+    place += step_m_ * attitude.col(0);
+    nodes.push_back({place.x(), place.y(), place.z()});
+  }
+}
+
+void AttitudeAnts::price_tails(const Branch& branch, std::span<const TailNode> tail, TailPrices& out) const {
+  const AntPose pose(branch.state.position - site_.mission.start, branch.state.attitude);
+  look(branch.state, out.ends);
+  out.nodes.resize(actions());
+  turn_moves(moves_, pose, out.attitudes);
+  float least = start_tails(static_cast<float>(branch.cost_before), nodes_.tolerance, out.ends, out.sums);
+  for (const TailNode& node : tail) {
+    if (least >= static_cast<float>(branch.limit)) break;
+    least = add_tail_node(nodes_, out.attitudes, node, out.ends, out.nodes, out.sums);
+  }
+}
+
+ReachBox AttitudeAnts::reach() const {
+  const Vec3 goal = site_.mission.goal - site_.mission.start;
+  const double sum = static_cast<double>(step_limit()) * *site_.vehicle.step_m + site_.mission.tolerance_m;
+  const double flat = std::max(0.0, sum * sum - goal.squaredNorm());
+  const double longest = std::max(goal.norm(), 1e-9);
+  ReachBox box;
+  for (int i = 0; i < 3; ++i) {
+    // Half extent of the ellipsoid along axis i.
+    const double along = goal[i] / longest;
+    const double half = 0.5 * std::sqrt(sum * sum * along * along + flat * (1 - along * along));
+    box.min[i] = static_cast<float>(0.5 * goal[i] - half);
+    box.max[i] = static_cast<float>(0.5 * goal[i] + half);
+  }
+  return box;
+}
+
+double AttitudeAnts::step_price() const {
+  const ObjectiveSpec& weights = space_.objective().weights();
+  return *site_.vehicle.step_m * (space_.objective().is_physical() ? weights.length : weights.fuel);
+}
+
+}  // namespace alate
