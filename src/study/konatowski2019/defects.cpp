@@ -39,11 +39,11 @@ std::string detour_measured(const Study& study) {
   if (route == nullptr) return "";
   const auto to_go = [&](const RouteState& state) { return (state.position - mission(study).goal).norm(); };
   const double first = to_go(route->states[1]);
-  const double last = to_go(route->states.back());
+  const double late = to_go(route->states[route->states.size() - 2]);
   return fmt::format(
-      "On the same route the first leg costs {:.2f} and the last {:.2f}, though both are 2 units long: {:.0f} "
+      "On the same route the first leg costs {:.2f} and the last but one {:.2f}, though both are 2 units long: {:.0f} "
       "times as much.",
-      first, last, first / last);
+      first, late, first / late);
 }
 
 /// Mean of one field of the history over all runs of a method on all cases, at one iteration.
@@ -68,7 +68,7 @@ std::string arrivals_measured(const Study& study) {
   const std::size_t last = iterations_of(study);
   if (last == 0) return "";
   return fmt::format(
-      "With 50 ants {:.1f} % of them arrive in the first iteration and {:.1f} % in the last, mean over all "
+      "With 50 ants {:.2f} % of them arrive in the first iteration and {:.1f} % in the last, mean over all "
       "cases and seeds.",
       100 * history_mean(study, kLiteral, 0, &IterationStats::arrived),
       100 * history_mean(study, kLiteral, last - 1, &IterationStats::arrived));

@@ -14,6 +14,11 @@ Claim best_cost(const Study& study, std::size_t row);
 /// From the base route to the mean of the paper's own method.
 Claim gain_over_base(const Study& study, std::size_t row);
 
+/// Gains over the base route on one layout, one a row; nothing where no route was found.
+using GainsByRow = std::array<std::optional<double>, kPublished.size()>;
+GainsByRow gains_of_best_routes(const Study& study, std::size_t layout);
+GainsByRow gains_of_literal(const Study& study, std::size_t layout);
+
 /// From the first arrivals of the paper's own method to its best.
 Claim gain_of_ants(const Study& study, std::size_t row);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "out/report/axis.hpp"
 #include "out/report/svg.hpp"
@@ -44,33 +45,35 @@ Box3 extent(const Site& site, const std::vector<SceneRoute>& routes) {
 /// Where a point of space lies on the drawing.
 class View {
  public:
-  explicit View(const Box3& box) {
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 at{(corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
-                    (corner & 4) != 0 ? box.max.z() : box.min.z()};
-      low = low.cwiseMin(camera_.project(at));
-      high = high.cwiseMax(camera_.project(at));
-    }
-    scale_ = (kWidth - 2 * kMargin) / (high.x() - low.x());
-    height_ = scale_ * (high.y() - low.y()) + 2 * kMargin;
-    upper_left_ = {low.x(), high.y()};
+  View(const Site& site, const std::vector<SceneRoute>& routes, const Box3& box) {
+    for (const double x : {box.min.x(), box.max.x()})
+      for (const double y : {box.min.y(), box.max.y()}) include({x, y, box.min.z()}, 0);
+    include({box.min.x(), box.min.y(), box.max.z()}, 0);
+    include(site.mission.goal, 0);
+    for (const Threat& threat : site.threats) include(threat.center, threat.radius_m);
+    for (const SceneRoute& each : routes)
+      for (const RouteState& state : each.route->states) include(state.position, 0);
+    scale_ = (kWidth - 2 * kMargin) / (high_.x() - low_.x());
   }
 
   Vec2 operator()(const Vec3& point) const {
-    const Vec2 at = camera_.project(point) - upper_left_;
-    return {kMargin + scale_ * at.x(), kMargin - scale_ * at.y()};
+    const Vec2 at = camera_.project(point);
+    return {kMargin + scale_ * (at.x() - low_.x()), kMargin + scale_ * (high_.y() - at.y())};
   }
   double length(double units) const { return scale_ * units; }
-  double height() const { return height_; }
+  double height() const { return scale_ * (high_.y() - low_.y()) + 2 * kMargin; }
   const Camera& camera() const { return camera_; }
 
  private:
+  void include(const Vec3& point, double radius) {
+    low_ = low_.cwiseMin(camera_.project(point) - Vec2::Constant(radius));
+    high_ = high_.cwiseMax(camera_.project(point) + Vec2::Constant(radius));
+  }
+
   Camera camera_{radians(150), radians(28)};
+  Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high_ = -low_;
   double scale_ = 1;
-  double height_ = 0;
-  Vec2 upper_left_;
 };
 
 void draw_floor(Svg& svg, const View& view, const Box3& box) {
@@ -147,7 +150,6 @@ void draw_drop_lines(Svg& svg, const View& view, const SceneRoute& each, double 
 
 void draw_leg(Svg& svg, const View& view, const SceneRoute& each, std::size_t i) {
   const Segment leg = each.route->segment(i);
-  svg.line(view(leg.a), view(leg.b), "way-halo");
   svg.line(view(leg.a), view(leg.b), "way " + each.css_class);
   svg.circle(view(leg.b), 4, "node " + each.css_class);
 }
@@ -156,6 +158,17 @@ void draw_end(Svg& svg, const View& view, const Vec3& at, std::string_view name,
   svg.circle(view(at), 8, "end");
   if (goal) svg.circle(view(at), 3.2, "dot");
   svg.text(view(at) + Vec2{0, goal ? -18 : 28}, name, "label", Anchor::middle);
+}
+
+/// Below the spheres, fanned out so that names of spheres at one place stay apart.
+void draw_names(Svg& svg, const View& view, const std::vector<Threat>& threats) {
+  const double middle = (static_cast<double>(threats.size()) - 1) / 2;
+  for (std::size_t i = 0; i < threats.size(); ++i) {
+    const double angle = radians(28) * (middle - static_cast<double>(i));
+    const double reach = view.length(threats[i].radius_m) + 16;
+    svg.text(view(threats[i].center) + reach * Vec2{std::sin(-angle), std::cos(angle)} + Vec2{0, 5}, threats[i].name,
+             "label name", Anchor::middle);
+  }
 }
 
 struct Piece {
@@ -167,7 +180,7 @@ struct Piece {
 
 std::string scene_svg(const Site& site, const std::vector<SceneRoute>& routes, const std::string& title) {
   const Box3 box = extent(site, routes);
-  const View view(box);
+  const View view(site, routes, box);
   Svg svg(kWidth, view.height(), title);
   draw_floor(svg, view, box);
   draw_heights(svg, view, box);
@@ -182,9 +195,7 @@ std::string scene_svg(const Site& site, const std::vector<SceneRoute>& routes, c
   std::ranges::stable_sort(pieces, {}, &Piece::depth);
   for (const Piece& piece : pieces) piece.draw();
 
-  for (const Threat& threat : site.threats)
-    svg.text(view(threat.center) + Vec2{0, -0.72 * view.length(threat.radius_m)}, threat.name, "label name",
-             Anchor::middle);
+  draw_names(svg, view, site.threats);
   draw_end(svg, view, site.mission.start, "Start", false);
   draw_end(svg, view, site.mission.goal, "Goal", true);
   return svg.str();

@@ -15,7 +15,10 @@ h4 { font-size: .92rem; font-weight: 600; margin: 0 0 .3rem; }
 .holds { --c: var(--pass); }
 .does_not_hold, .impossible { --c: var(--fail); }
 .cannot_be_told { --c: var(--unknown); }
-.num { text-align: right; white-space: nowrap; }
+.num { text-align: right; }
+.study { font-size: .88rem; }
+.study td, .study tbody th { white-space: nowrap; }
+.study th, .study td { overflow-wrap: normal; }
 .cells td, .cells th, .claims td, .claims th { padding-right: .7rem; }
 .cells tbody tr:first-child th, .cells tbody tr:first-child td { border-top: 2px solid var(--soft); }
 .cells .winner { font-weight: 700; }
@@ -34,7 +37,6 @@ h4 { font-size: .92rem; font-weight: 600; margin: 0 0 .3rem; }
 svg .way { stroke: var(--line); stroke-width: 4; stroke-linecap: round; }
 svg .way.w1 { stroke-dasharray: 12 7; }
 svg .way.w2 { stroke-dasharray: 1 8; stroke-width: 5; }
-svg .way-halo { stroke: var(--halo); stroke-width: 7; stroke-linecap: round; opacity: .7; }
 svg .node { fill: var(--line); stroke: var(--halo); stroke-width: 1.2; }
 svg .drop { stroke: var(--line); stroke-width: 1; opacity: .45; }
 svg .shadow { fill: none; stroke: var(--line); stroke-width: 2; opacity: .4; }

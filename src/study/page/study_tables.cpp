@@ -91,12 +91,24 @@ std::string cells_table(const std::vector<Cell>& cells) {
     blocks += case_block(cells, last);
   }
   return fmt::format(
-      "<div class=\"scroll\"><table class=\"cells\"><thead><tr><th scope=\"col\">Case</th><th scope=\"col\">Method</th>"
+      "<div class=\"scroll\"><table class=\"study cells\"><thead><tr><th scope=\"col\">Case</th><th "
+      "scope=\"col\">Method</th>"
       "<th scope=\"col\" class=\"num\">Routes</th><th scope=\"col\" class=\"num\">Mean</th><th scope=\"col\" "
       "class=\"num\">SD</th><th scope=\"col\" class=\"num\">Best</th><th scope=\"col\" class=\"num\">Bound</th><th "
       "scope=\"col\" class=\"num\">Mean above bound</th><th scope=\"col\" class=\"num\">Time, ms</th></tr></thead>\n"
       "{}</table></div>\n",
       blocks);
+}
+
+std::string study_table(const std::vector<std::string>& words, const std::vector<std::string>& numbers,
+                        const std::string& rows) {
+  std::string heads;
+  for (const std::string& head : words) heads += fmt::format("<th scope=\"col\">{}</th>", xml_escape(head));
+  for (const std::string& head : numbers)
+    heads += fmt::format("<th scope=\"col\" class=\"num\">{}</th>", xml_escape(head));
+  return fmt::format(
+      "<div class=\"scroll\"><table class=\"study\"><thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      heads, rows);
 }
 
 std::string defects_list(const std::vector<Defect>& defects) {

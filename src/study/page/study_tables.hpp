@@ -17,6 +17,10 @@ std::string cells_table(const std::vector<Cell>& cells);
 
 std::string defects_list(const std::vector<Defect>& defects);
 
+/// A table with heads for words and for numbers. `rows` are HTML already, heads are escaped.
+std::string study_table(const std::vector<std::string>& words, const std::vector<std::string>& numbers,
+                        const std::string& rows);
+
 /// "does not hold".
 std::string verdict_words(ClaimVerdict verdict);
 
