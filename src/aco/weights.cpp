@@ -12,6 +12,7 @@ namespace alate {
 namespace {
 
 constexpr std::size_t kLanes = 16;
+constexpr float kNever = std::numeric_limits<float>::infinity();
 
 const float* aligned(const AlignedFloats& array) {
   return static_cast<const float*>(__builtin_assume_aligned(array.data(), kSimdBytes));
@@ -19,18 +20,18 @@ const float* aligned(const AlignedFloats& array) {
 float* aligned(AlignedFloats& array) { return static_cast<float*>(__builtin_assume_aligned(array.data(), kSimdBytes)); }
 std::size_t whole(const AlignedFloats& array) { return array.size() & ~(kLanes - 1); }
 
-/// exp(x) for x <= 0, to 3e-7 relative: 2^n times a polynomial (Taylor, degree 6) in the rest. 0 below -80. The C
+/// exp(x) for x <= 0, to 3e-7 relative: 2^n times a polynomial (Taylor, degree 6) in the rest. No less than 1e-26. The C
 /// library's expf does not vectorise, and differs between libraries.
 inline float exp_of_negative(float x) {
   constexpr float kLog2e = 1.44269504F;
   constexpr float kLn2 = 0.693147181F;
-  const float clamped = x > -80.0F ? x : -80.0F;
+  const float clamped = x > -60.0F ? x : -60.0F;
   const float turns = clamped * kLog2e;
   const int whole_turns = static_cast<int>(turns - 0.5F);
   const float r = (turns - static_cast<float>(whole_turns)) * kLn2;
   const float p = 1 + r * (1 + r * (0.5F + r * (1.0F / 6 + r * (1.0F / 24 + r * (1.0F / 120 + r * (1.0F / 720))))));
   const float power = std::bit_cast<float>((whole_turns + 127) << 23);
-  return x > -80.0F ? p * power : 0.0F;
+  return p * power;
 }
 
 using LaneSums = std::array<float, kLanes>;
@@ -44,18 +45,17 @@ ALATE_SIMD LaneSums sum_lanes(const AlignedFloats& weights) {
   return sums;
 }
 
+/// Least J + h. Bits of floats from 0 up are in order, and least whole numbers vectorise.
 ALATE_SIMD float least_estimate(const Choices& choices) {
   const float* __restrict cost = aligned(choices.cost);
   const float* __restrict guide = aligned(choices.guide);
   const std::size_t count = whole(choices.cost);
-  alignas(kSimdBytes) LaneSums least;
-  least.fill(std::numeric_limits<float>::infinity());
-  for (std::size_t row = 0; row < count; row += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const float estimate = cost[row + lane] + guide[row + lane];
-      least[lane] = estimate < least[lane] ? estimate : least[lane];
-    }
-  return *std::ranges::min_element(least);
+  std::int32_t least = std::bit_cast<std::int32_t>(kNever);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto estimate = std::bit_cast<std::int32_t>(cost[k] + guide[k]);
+    least = estimate < least ? estimate : least;
+  }
+  return std::bit_cast<float>(least);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ ALATE_SIMD void weigh_by_power(int beta, Choices& choices) {
   const float* __restrict cost = aligned(choices.cost);
   float* __restrict weight = aligned(choices.weight);
   const std::size_t count = whole(choices.weight);
-  for (std::size_t k = 0; k < count; ++k) weight[k] = cost[k] < std::numeric_limits<float>::infinity() ? 1.0F : 0.0F;
+  for (std::size_t k = 0; k < count; ++k) weight[k] = cost[k] < kNever ? 1.0F : 0.0F;
   for (int i = 0; i < beta; ++i)
     for (std::size_t k = 0; k < count; ++k) weight[k] *= least / (cost[k] > kLeastCost ? cost[k] : kLeastCost);
 }
@@ -80,9 +80,8 @@ ALATE_SIMD void weigh_by_goal(float scale, Choices& choices) {
   const float per_scale = -1 / scale;
   for (std::size_t k = 0; k < count; ++k) {
     const float above = cost[k] + guide[k] - least;
-    // Where nothing is finite `above` is no number, and fails the comparison.
-    const bool counts = above < std::numeric_limits<float>::infinity();
-    weight[k] = counts ? exp_of_negative(above * per_scale) : 0.0F;
+    // Where nothing is finite `above` is no number; the clamp makes one of it.
+    weight[k] = exp_of_negative(above * per_scale) * (cost[k] + guide[k] < kNever ? 1.0F : 0.0F);
   }
 }
 

@@ -90,6 +90,7 @@ class AttitudeAco {
                                                    .deposit = deposit(),
                                                    .local_search = local_search()},
                                           {.ants = static_cast<std::size_t>(values_.integer("ants")),
+                                           .iterations = static_cast<std::uint64_t>(values_.integer("iterations")),
                                            .alpha = static_cast<int>(values_.integer("alpha"))});
     const Ant& best = colony.run(run);
     history = colony.history();

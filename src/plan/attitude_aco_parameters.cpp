@@ -12,11 +12,17 @@ std::string word(const char* text) { return text; }
 std::vector<Parameter> walk_parameters() {
   return {
       {.name = "ants",
-       .default_value = whole(50),
+       .default_value = whole(20),
        .min = 1,
        .max = 100000,
        .help = "Walks an iteration.",
        .source = "alate: the paper leaves it open"},
+      {.name = "iterations",
+       .default_value = whole(40),
+       .min = 1,
+       .max = 1e9,
+       .help = "Iterations where neither a budget nor a time limit is given.",
+       .source = "konatowski2019: 180, section 4"},
       {.name = "step_limit",
        .default_value = whole(0),
        .min = 0,
@@ -156,6 +162,7 @@ Values published(const Values& changes = {}) {
                 {"deposit", word("ant-system")},
                 {"q", 50.0},
                 {"ants", whole(50)},
+                {"iterations", whole(180)},
                 {"local_search", word("none")}};
   for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
   return values;

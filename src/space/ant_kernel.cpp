@@ -1,5 +1,6 @@
 #include "space/ant_kernel.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "space/simd.hpp"
@@ -39,14 +40,10 @@ ALATE_SIMD void price_goal(const NodeModel& model, Choices& out) {
   const float* __restrict z = aligned(out.z);
   float* __restrict to_goal = aligned(out.to_goal);
   float* __restrict cost = aligned(out.cost);
-  float* __restrict guide = aligned(out.guide);
   const float gx = model.goal_x;
   const float gy = model.goal_y;
   const float gz = model.goal_z;
   const float fuel = model.fuel;
-  const float step = model.step;
-  const float per_step = 1 / model.step;
-  const float tolerance = model.tolerance;
   for (std::size_t k = 0; k < count; ++k) {
     const float dx = x[k] - gx;
     const float dy = y[k] - gy;
@@ -54,14 +51,27 @@ ALATE_SIMD void price_goal(const NodeModel& model, Choices& out) {
     const float d = std::sqrt(dx * dx + dy * dy + dz * dz);
     to_goal[k] = d;
     cost[k] = fuel * d;  // eq. (33)
-    // node_bound: whole steps until within the tolerance, but no farther than the goal.
+  }
+}
+
+/// node_bound of lower_bound.hpp: whole steps until within the tolerance, but no farther than the goal.
+ALATE_SIMD void guide_to_goal(const NodeModel& model, Choices& out) {
+  const std::size_t count = whole(out.x);
+  const float* __restrict to_goal = aligned(out.to_goal);
+  float* __restrict guide = aligned(out.guide);
+  const float fuel = model.fuel;
+  const float half_step = 0.5F * model.step;
+  const float per_step = 1 / model.step;
+  const float tolerance = model.tolerance;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float d = to_goal[k];
     const float left = (d - tolerance) * per_step;
-    const auto floor = static_cast<float>(static_cast<int>(left));
-    const float needed = left > floor ? floor + 1 : floor;
+    const float far = 0.5F * (left + std::abs(left));  // max(0, left) without a branch
+    const auto full = static_cast<float>(static_cast<int>(far));
+    const float needed = full + (far > full ? 1.0F : 0.0F);
     const auto fit = static_cast<float>(static_cast<int>(d * per_step));
-    const float least = needed < fit ? needed : fit;
-    const float counted = d > tolerance ? least : 0.0F;
-    guide[k] = fuel * (counted * d - 0.5F * step * counted * (counted + 1));
+    const float counted = needed < fit ? needed : fit;
+    guide[k] = fuel * (counted * d - half_step * counted * (counted + 1));
   }
 }
 
@@ -122,12 +132,23 @@ ALATE_SIMD float add_sums(float tolerance, const Choices& nodes, TailSums& sums)
     const bool first_arrival = (to_goal[k] <= tolerance) & (total[k] == kNever);
     total[k] = first_arrival ? sum[k] : total[k];
   }
-  float least = kNever;
+  // Bits of floats from 0 up are in order, and least whole numbers vectorise.
+  std::int32_t least = std::bit_cast<std::int32_t>(kNever);
   for (std::size_t k = 0; k < count; ++k) {
-    const float open = total[k] == kNever ? sum[k] + guide[k] : kNever;
+    const float reachable = sum[k] + guide[k];
+    const auto open = std::bit_cast<std::int32_t>(total[k] == kNever ? reachable : kNever);
     least = open < least ? open : least;
   }
-  return least;
+  return std::bit_cast<float>(least);
+}
+
+/// Can a step from here end inside?
+bool reaches(const NodeModel::Sphere& sphere, const AntPose& pose, float step) {
+  const float dx = pose.position[0] - sphere.x;
+  const float dy = pose.position[1] - sphere.y;
+  const float dz = (pose.position[2] - sphere.z) * sphere.use_z;
+  const float reach = sphere.radius + 1.001F * step;
+  return dx * dx + dy * dy + dz * dz < reach * reach;
 }
 
 Axis axis_of(const AntPose& pose, std::size_t i) {
@@ -188,8 +209,16 @@ void place_choices(const MoveMatrices& moves, const AntPose& pose, float step, C
 
 void price_choices(const NodeModel& model, Choices& out) {
   price_goal(model, out);
+  guide_to_goal(model, out);
   // The threats are the outer loop: with them inside, the choices would not vectorise.
   for (const NodeModel::Sphere& sphere : model.threats) price_threat(sphere, out);
+}
+
+void price_step(const NodeModel& model, const AntPose& pose, Choices& out) {
+  price_goal(model, out);
+  guide_to_goal(model, out);
+  for (const NodeModel::Sphere& sphere : model.threats)
+    if (reaches(sphere, pose, model.step)) price_threat(sphere, out);
 }
 
 void turn_moves(const MoveMatrices& moves, const AntPose& pose, MoveMatrices& out) {

@@ -44,6 +44,9 @@ struct NodeModel {
 /// J_k = fuel * distance + threat: eqs. (33), (34); h_k = node_bound (lower_bound.hpp).
 void price_choices(const NodeModel& model, Choices& out);
 
+/// The same for the choices of one step, which leaves out threats that are too far away to count.
+void price_step(const NodeModel& model, const AntPose& pose, Choices& out);
+
 /// Attitudes after each move: F B_k.
 void turn_moves(const MoveMatrices& moves, const AntPose& pose, MoveMatrices& out);
 

@@ -26,8 +26,9 @@ AttitudeAnts::AttitudeAnts(const World& world, const AttitudeSpace& space)
 void AttitudeAnts::look(const State& state, Choices& out) const {
   out.resize(actions());
   if (single_) {
-    place_choices(moves_, AntPose(state.position - site_.mission.start, state.attitude), step_m_, out);
-    price_choices(nodes_, out);
+    const AntPose pose(state.position - site_.mission.start, state.attitude);
+    place_choices(moves_, pose, step_m_, out);
+    price_step(nodes_, pose, out);
   } else {
     look_in_double(state, out);
   }

@@ -27,11 +27,11 @@ std::optional<GridCells> GridCells::over(const ReachBox& box, float cell_m) {
   grid.x_ = axis(0);
   grid.y_ = axis(1);
   grid.z_ = axis(2);
-  if (!(count * sizeof(TrailCell) <= kMostBytes)) return std::nullopt;
+  if (!(count * sizeof(StoredTrail) <= kMostBytes)) return std::nullopt;
   grid.columns_ = static_cast<std::int32_t>(grid.x_.last) + 1;
   grid.layer_ = grid.columns_ * (static_cast<std::int32_t>(grid.y_.last) + 1);
   // All bits zero is an unknown cell.
-  grid.cells_.reset(static_cast<TrailCell*>(std::calloc(static_cast<std::size_t>(count), sizeof(TrailCell))));
+  grid.cells_.reset(static_cast<StoredTrail*>(std::calloc(static_cast<std::size_t>(count), sizeof(StoredTrail))));
   if (!grid.cells_) return std::nullopt;
   return grid;
 }

@@ -23,12 +23,19 @@ class GridCells {
 
   void name(Choices& choices) const;
   TrailKey name(float x, float y, float z) const;
-  TrailCell find(TrailKey key) const { return cells_[key]; }
-  TrailCell& at(TrailKey key) { return cells_[key]; }
+  StoredTrail find(TrailKey key) const { return cells_[key]; }
+  StoredTrail& at(TrailKey key) {
+    if (cells_[key] == 0) known_.push_back(key);
+    return cells_[key];
+  }
+  template <class Change>
+  void for_each(const Change& change) {
+    for (const TrailKey key : known_) change(cells_[key]);
+  }
 
  private:
   struct Free {
-    void operator()(TrailCell* cells) const { std::free(cells); }
+    void operator()(StoredTrail* cells) const { std::free(cells); }
   };
   struct Axis {
     float from = 0;
@@ -40,7 +47,8 @@ class GridCells {
   Axis x_, y_, z_;
   std::int32_t columns_ = 0;
   std::int32_t layer_ = 0;  ///< Cells of one layer.
-  std::unique_ptr<TrailCell[], Free> cells_;
+  std::unique_ptr<StoredTrail[], Free> cells_;
+  std::vector<TrailKey> known_;
 };
 
 }  // namespace alate

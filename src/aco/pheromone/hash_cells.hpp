@@ -1,7 +1,7 @@
 // Trail cells in a hash table: for boxes too large for a grid, and for exact points (cells of 1e-4 units).
 //
 // A place is named by 64 mixed bits of its three rounded coordinates; two of a million places share a name with a
-// chance of 3e-8. Never iterated, so the order of entry does not show.
+// chance of 3e-8. Only changed as a whole, each place alone, so the order of entry does not show.
 #pragma once
 
 #include <cmath>
@@ -27,20 +27,26 @@ class HashCells {
     return mixed == kEmpty ? 1 : mixed;
   }
 
-  TrailCell find(TrailKey key) const {
+  StoredTrail find(TrailKey key) const {
     for (std::size_t i = key & (slots_.size() - 1); slots_[i].key != kEmpty; i = (i + 1) & (slots_.size() - 1))
-      if (slots_[i].key == key) return slots_[i].cell;
-    return {};
+      if (slots_[i].key == key) return slots_[i].value;
+    return 0;
   }
 
-  TrailCell& at(TrailKey key) {
+  StoredTrail& at(TrailKey key) {
     if (2 * used_ >= slots_.size()) grow();
     Slot& slot = slot_of(key);
     if (slot.key == kEmpty) {
       slot.key = key;
       ++used_;
     }
-    return slot.cell;
+    return slot.value;
+  }
+
+  template <class Change>
+  void for_each(const Change& change) {
+    for (Slot& slot : slots_)
+      if (slot.key != kEmpty) change(slot.value);
   }
 
  private:
@@ -48,7 +54,7 @@ class HashCells {
   static constexpr std::size_t kFirstSlots = 1024;
   struct Slot {
     TrailKey key = kEmpty;
-    TrailCell cell;
+    StoredTrail value = 0;
   };
 
   std::uint64_t rounded(float value) const {

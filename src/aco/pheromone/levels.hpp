@@ -1,20 +1,17 @@
 // How high trails are: evaporation, bounds, and what an unknown place has. Independent of how places are stored.
 //
-// Evaporation is lazy: a cell keeps its value and the time of its last change, and is multiplied by a power of (1 -
-// rho) when it is read, so that no sweep over all cells is needed.
+// Evaporation is lazy: what a place keeps is its trail divided by (1 - rho)^age of the colony, so one number that is
+// multiplied at every evaporation lowers all trails at once. Before that number gets too small the stored values are
+// rescaled, once in some hundred iterations.
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace alate {
 
-struct TrailCell {
-  float value = 0;
-  std::uint32_t stamp = 0;  ///< 0: unknown.
-};
+/// What is stored for a place; 0: unknown.
+using StoredTrail = float;
 
 struct TrailRule {
   double evaporation = 0.8;     ///< rho, 0 to 1.
@@ -24,27 +21,32 @@ struct TrailRule {
 
 class TrailLevels {
  public:
-  explicit TrailLevels(const TrailRule& rule) : rule_(rule), unknown_(static_cast<float>(rule.initial)) {
-    const double kept = 1 - rule.evaporation;
-    for (double power = 1; power > kLeastPower && powers_.size() < kMostPowers; power *= kept)
-      powers_.push_back(static_cast<float>(power));
-    if (kept < 1) powers_.push_back(0);
+  explicit TrailLevels(const TrailRule& rule)
+      : kept_(static_cast<float>(1 - rule.evaporation)),
+        unknown_decays_(rule.unknown_decays),
+        unknown_(static_cast<float>(rule.initial)) {}
+
+  float read(StoredTrail stored) const {
+    const float level = stored == 0 ? unknown_ : stored * scale_;
+    const float enough = level < least_ ? least_ : level;
+    return enough < most_ ? enough : most_;
   }
 
-  float read(const TrailCell& cell) const {
-    const std::size_t age = std::min<std::size_t>(now_ - cell.stamp, powers_.size() - 1);
-    const float level = cell.stamp == 0 ? unknown_ : cell.value * powers_[age];
-    return std::clamp(level, least_, most_);
+  /// What to store for a level. A known place never stores 0.
+  StoredTrail stored(double level) const {
+    const float bounded = std::clamp(static_cast<float>(level), least_, most_);
+    return std::max(bounded / scale_, kKnown);
   }
 
-  void write(TrailCell& cell, double value) const {
-    cell = {std::clamp(static_cast<float>(value), least_, most_), now_};
-  }
-
-  /// Eq. (2), first term, for all places at once.
-  void evaporate() {
-    ++now_;
-    if (rule_.unknown_decays) unknown_ *= powers_[std::min<std::size_t>(1, powers_.size() - 1)];
+  /// Eq. (2), first term, for all places at once. `rescale` changes every stored value by a function.
+  template <class Rescale>
+  void evaporate(const Rescale& rescale) {
+    scale_ *= kept_;
+    if (unknown_decays_) unknown_ *= kept_;
+    if (scale_ > kLeastScale) return;
+    const float scale = scale_;
+    rescale([scale](StoredTrail& value) { value = std::max(value * scale, kKnown); });
+    scale_ = 1;
   }
 
   void set_bounds(double least, double most) {
@@ -52,17 +54,16 @@ class TrailLevels {
     most_ = static_cast<float>(most);
   }
   void set_unknown(double level) { unknown_ = static_cast<float>(level); }
-  /// Does it matter whether a place without a deposit is known?
-  bool unknown_decays() const { return rule_.unknown_decays; }
+  bool unknown_decays() const { return unknown_decays_; }
 
  private:
-  static constexpr std::size_t kMostPowers = 100000;
-  static constexpr double kLeastPower = 1e-37;  ///< About the least that a float holds.
+  static constexpr float kKnown = std::numeric_limits<float>::min();
+  static constexpr float kLeastScale = 1e-12F;
 
-  TrailRule rule_;
-  std::vector<float> powers_;  ///< (1 - rho)^age.
-  std::uint32_t now_ = 1;
+  float kept_;  ///< 1 - rho.
+  bool unknown_decays_;
   float unknown_;
+  float scale_ = 1;
   float least_ = 0;
   float most_ = std::numeric_limits<float>::max();
 };

@@ -15,8 +15,11 @@ template <class T>
 concept TrailStore = requires(const T& store, T& changing, Choices& choices, TrailKey key, float x) {
   { store.name(choices) };  // fills choices.key
   { store.name(x, x, x) } -> std::same_as<TrailKey>;
-  { store.find(key) } -> std::convertible_to<TrailCell>;
-  { changing.at(key) } -> std::same_as<TrailCell&>;
+  { store.find(key) } -> std::convertible_to<StoredTrail>;
+  { changing.at(key) } -> std::same_as<StoredTrail&>;
+  {
+    changing.for_each([](StoredTrail&) {})
+  };  // all known places, in any order
 };
 
 template <TrailStore Store>
@@ -27,7 +30,11 @@ class Trail {
   /// tau_k of all choices: eq. (35), the stored value, or that of an unknown place.
   void read(Choices& choices) const {
     store_.name(choices);
-    for (std::size_t k = 0; k < choices.key.size(); ++k) choices.trail[k] = levels_.read(store_.find(choices.key[k]));
+    const TrailLevels levels = levels_;  // a copy cannot be changed by what is written here
+    const std::size_t count = choices.key.size();
+    float* const trail = choices.trail.data();
+    for (std::size_t k = 0; k < count; ++k) trail[k] = store_.find(choices.key[k]);
+    for (std::size_t k = 0; k < count; ++k) trail[k] = levels.read(trail[k]);
   }
 
   /// Names the nodes of a route that was changed after the walk.
@@ -42,25 +49,27 @@ class Trail {
     }
   }
 
-  bool known(TrailKey key) const { return store_.find(key).stamp != 0; }
+  bool known(TrailKey key) const { return store_.find(key) != 0; }
   float level(TrailKey key) const { return levels_.read(store_.find(key)); }
 
   /// The place becomes a member of N, eq. (28), with the level of an unknown one.
   void join(TrailKey key) {
     if (levels_.unknown_decays()) return;
-    TrailCell& cell = store_.at(key);
-    if (cell.stamp == 0) levels_.write(cell, levels_.read(cell));
+    StoredTrail& stored = store_.at(key);
+    if (stored == 0) stored = levels_.stored(static_cast<double>(levels_.read(stored)));
   }
   void add(TrailKey key, double amount) {
-    TrailCell& cell = store_.at(key);
-    levels_.write(cell, static_cast<double>(levels_.read(cell)) + amount);
+    StoredTrail& stored = store_.at(key);
+    stored = levels_.stored(static_cast<double>(levels_.read(stored)) + amount);
   }
   /// tau <- (1 - share) tau + share * target.
   void blend(TrailKey key, double share, double target) {
-    TrailCell& cell = store_.at(key);
-    levels_.write(cell, (1 - share) * static_cast<double>(levels_.read(cell)) + share * target);
+    StoredTrail& stored = store_.at(key);
+    stored = levels_.stored((1 - share) * static_cast<double>(levels_.read(stored)) + share * target);
   }
-  void evaporate() { levels_.evaporate(); }
+  void evaporate() {
+    levels_.evaporate([this](const auto& change) { store_.for_each(change); });
+  }
   TrailLevels& levels() { return levels_; }
 
  private:
