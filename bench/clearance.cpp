@@ -27,21 +27,23 @@ const World& jacksboro() {
   return world;
 }
 
-/// Legs as a planner tries them: climbing at most 8 degrees, starting 60 to 300 m above ground.
+/// Legs as a planner tries them: fans of 64 from 64 places 60 to 300 m above ground, climbing at most 8 degrees.
 std::vector<Segment> legs_of(double length_m) {
+  constexpr std::size_t kFan = 64;
   const World& world = jacksboro();
   const Box2& area = std::get<HeightRaster>(world.site().ground).area;
   std::vector<Segment> legs;
-  for (std::uint64_t i = 0; legs.size() < 4096; ++i) {
+  for (std::uint64_t i = 0; legs.size() < kFan * kFan; ++i) {
     Stream stream(1, 0, i);
-    const Vec2 from = area.min + Vec2(stream.uniform(), stream.uniform()).cwiseProduct(area.max - area.min);
-    const double heading = 2 * kPi * stream.uniform();
-    const double climb = radians(16 * stream.uniform() - 8);
-    const auto ground = world.height(from);
-    if (!ground) continue;
-    const Vec3 a{from.x(), from.y(), *ground + 60 + 240 * stream.uniform()};
-    const Vec3 b = a + length_m * (std::cos(climb) * direction_of(heading) + Vec3{0, 0, std::sin(climb)});
-    if (world.height(b.head<2>())) legs.push_back({a, b});
+    const Vec2 margin = Vec2::Constant(length_m + 1500);
+    const Vec2 size = area.max - area.min - 2 * margin;
+    const Vec2 from = area.min + margin + Vec2(stream.uniform(), stream.uniform()).cwiseProduct(size);
+    const Vec3 a{from.x(), from.y(), world.height(from).value() + 60 + 240 * stream.uniform()};
+    for (std::size_t leg = 0; leg < kFan; ++leg) {
+      const double heading = 2 * kPi * stream.uniform();
+      const double climb = radians(16 * stream.uniform() - 8);
+      legs.push_back({a, a + length_m * (std::cos(climb) * direction_of(heading) + Vec3{0, 0, std::sin(climb)})});
+    }
   }
   return legs;
 }

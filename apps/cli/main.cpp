@@ -1,8 +1,3 @@
-#include <fmt/core.h>
+#include "app.hpp"
 
-#include "alate/core/version.hpp"
-
-int main() {
-  fmt::print("alate {}\n", alate::version());
-  return 0;
-}
+int main(int argc, char** argv) { return alate::cli::run(argc, argv); }

@@ -1,6 +1,9 @@
 #include "alate/check/check.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 #include "check/flight.hpp"
 #include "check/rules.hpp"
@@ -9,8 +12,8 @@ namespace alate {
 
 namespace {
 
-constexpr const char* kRules[] = {"terrain_clearance", "ceiling", "threat_core", "turn",    "climb",
-                                  "descent",           "step",    "bounds",      "arrival", "endurance"};
+constexpr std::array<const char*, 10> kRules{"terrain_clearance", "ceiling", "threat_core", "turn",    "climb",
+                                             "descent",           "step",    "bounds",      "arrival", "endurance"};
 
 /// Nothing can be computed with such a state: `bounds` is broken there and the rest is left alone.
 Verdict unusable(const Route& route, std::size_t state) {
@@ -19,9 +22,10 @@ Verdict unusable(const Route& route, std::size_t state) {
   const Vec3 where = position.unaryExpr([](double v) { return std::abs(v) <= kUnbounded ? v : 0.0; });
   verdict.violations.push_back({"bounds", state, where, -kUnbounded, 0, "m"});
   verdict.margins.push_back({"bounds", -kUnbounded, "m", state, where});
-  for (const std::string rule : kRules) {
+  for (const std::string_view rule : kRules) {
     if (rule == "bounds") continue;
-    verdict.not_checked.push_back({rule, "the route has positions or arcs that are no usable numbers", false});
+    verdict.not_checked.push_back(
+        {std::string(rule), "the route has positions or arcs that are no usable numbers", false});
   }
   return verdict;
 }

@@ -108,14 +108,16 @@ HeightRange height_range(const HeightRaster& raster, const Segment& piece) {
   HeightRange range;
   const auto inside = clipped(piece, grown(raster.area, kEdge * raster.cell_m));
   if (!inside || raster.columns < 2 || raster.rows < 2) return range;
-  const double cuts = std::max(1.0, std::ceil(inside->planar_length() / raster.map.straight_length_m()));
-  for (double cut = 0; cut < cuts; ++cut) {
-    const Segment metres{inside->at(cut / cuts), inside->at((cut + 1) / cuts)};
-    const auto post_at = [&](const Vec3& p) -> Vec2 {
-      return raster.map(p.head<2>().cwiseMax(raster.area.min).cwiseMin(raster.area.max));
-    };
-    const Vec2 from = post_at(metres.a);
-    const PostLine line{raster, metres, from, post_at(metres.b) - from};
+  const auto within = [&](const Vec3& p) -> Vec2 {
+    return p.head<2>().cwiseMax(raster.area.min).cwiseMin(raster.area.max);
+  };
+  const Vec2 first = within(inside->a);
+  const Vec2 last = within(inside->b);
+  for (double t = 0, end = 0; t < 1; t = end) {
+    end = raster.map.straight_until(first, last, t);
+    const Segment metres{inside->at(t), inside->at(end)};
+    const Vec2 from = raster.map(within(metres.a));
+    const PostLine line{raster, metres, from, raster.map(within(metres.b)) - from};
     const std::vector<double> crossings = line.crossings();
     for (std::size_t i = 1; i < crossings.size(); ++i) {
       const bool corner = crossings[i] - crossings[i - 1] < kCorner && crossings.size() > 2;

@@ -36,8 +36,8 @@ bool is_metric(PJ_CONTEXT* context, const PJ* crs) {
   for (int axis = 0; axis < 2; ++axis) {
     double metres = 0;
     const char* unit = nullptr;
-    if (!proj_cs_get_axis_info(context, system.get(), axis, nullptr, nullptr, nullptr, &metres, &unit, nullptr,
-                               nullptr))
+    if (proj_cs_get_axis_info(context, system.get(), axis, nullptr, nullptr, nullptr, &metres, &unit, nullptr,
+                              nullptr) == 0)
       return false;
     if (metres != 1.0 || unit == nullptr || std::string(unit) == "degree") return false;
   }

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "data/route_formats.hpp"
@@ -83,6 +84,22 @@ Columns columns_of(const TextLine& header, RouteBuilder& builder) {
   return columns;
 }
 
+/// Adds the state of one line. A leg of kind arc is taken as straight; the answer says so.
+bool add_record(const Record& record, int line, RouteBuilder& builder) {
+  RouteState state{.position = Vec3::Zero(), .leg = kind_of(record, line, builder)};
+  state.point_id = record.integer("point_id");
+  const bool arc = state.leg == LegKind::arc;
+  if (arc) state.leg = LegKind::straight;
+  const auto z = record.number("z_m");
+  builder.add({.x_m = record.number("x_m"),
+               .y_m = record.number("y_m"),
+               .lat_deg = record.number("lat"),
+               .lon_deg = record.number("lon"),
+               .amsl_m = z ? z : record.number("amsl_m")},
+              state, {.line = line, .field = ""});
+  return arc;
+}
+
 }  // namespace
 
 void read_csv(const std::string& text, RouteBuilder& builder) {
@@ -91,26 +108,15 @@ void read_csv(const std::string& text, RouteBuilder& builder) {
   const Columns columns = columns_of(lines.front(), builder);
   bool arcs = false;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const int line = lines[i].number;
     const Record record(lines[i], columns, builder);
-    if (record.size() != columns.size()) {
-      builder.refuse({.line = line,
-                      .value = fmt::format("{}", record.size()),
-                      .limit = fmt::format("{}", columns.size()),
-                      .message = "wrong number of columns"});
+    if (record.size() == columns.size()) {
+      arcs = add_record(record, lines[i].number, builder) || arcs;
       continue;
     }
-    RouteState state{.position = Vec3::Zero(), .leg = kind_of(record, line, builder)};
-    state.point_id = record.integer("point_id");
-    arcs = arcs || state.leg == LegKind::arc;
-    if (state.leg == LegKind::arc) state.leg = LegKind::straight;
-    const auto z = record.number("z_m");
-    builder.add({.x_m = record.number("x_m"),
-                 .y_m = record.number("y_m"),
-                 .lat_deg = record.number("lat"),
-                 .lon_deg = record.number("lon"),
-                 .amsl_m = z ? z : record.number("amsl_m")},
-                state, {.line = line, .field = ""});
+    builder.refuse({.line = lines[i].number,
+                    .value = fmt::format("{}", record.size()),
+                    .limit = fmt::format("{}", columns.size()),
+                    .message = "wrong number of columns"});
   }
   if (arcs) builder.note("arcs are judged as straight lines: a CSV file holds no circles");
 }

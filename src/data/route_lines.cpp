@@ -1,5 +1,6 @@
 #include "data/route_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,6 +2,7 @@
 
 #include "plan/attitude_plan.hpp"
 #include "plan/attitude_planners.hpp"
+#include "search/greedy.hpp"
 
 namespace alate {
 
@@ -11,9 +12,13 @@ struct BeamPlanner {
   BeamOptions options;
   std::size_t step_limit = 0;
 
+  /// The greedy walk comes first, as narrow passes may find nothing in a narrow band; it must not eat up the time.
+  static GreedyOptions first_walk() { return {.max_step_backs = 500}; }
+
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_on_attitudes(problem, run, step_limit,
-                             [&](const AttitudeSpace& space) { return Beam(space, options).run(run); });
+    return plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& space) {
+      return Beam(space, options).run(run, Greedy(space, first_walk()).run(run));
+    });
   }
 };
 
@@ -29,12 +34,12 @@ std::vector<Parameter> parameters() {
        .default_value = std::int64_t{8192},
        .min = 1,
        .max = 65536,
-       .help = "Widest pass; 200 bytes a state, and 24 a candidate.",
+       .help = "Widest pass; never more than fits 4 million candidates (100 MB).",
        .source = "alate"},
       {.name = "step_limit",
        .default_value = std::int64_t{0},
        .min = 0,
-       .max = 1e6,
+       .max = 1e5,
        .help = "Longest route in steps; 0: 3.4 times the direct distance.",
        .source = "alate"},
   };
@@ -45,7 +50,8 @@ std::vector<Parameter> parameters() {
 PlannerEntry beam_entry() {
   return {
       .name = "beam",
-      .help = "Keeps the best few states of every step, in wider and wider passes: the longer, the better.",
+      .help =
+          "A greedy walk, then the best few states of every step in wider and wider passes: the longer, the better.",
       .can = {.anytime = true, .deterministic = true, .terrain = true, .threats = true, .space = "attitude lattice"},
       .presets = {{.name = "default", .help = "As the parameters say."}},
       .parameters = ParamTable(parameters()),

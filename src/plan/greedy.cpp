@@ -31,7 +31,7 @@ std::vector<Parameter> parameters() {
       {.name = "step_limit",
        .default_value = std::int64_t{0},
        .min = 0,
-       .max = 1e6,
+       .max = 1e5,
        .help = "Longest route in steps; 0: 3.4 times the direct distance.",
        .source = "alate"},
       {.name = "step_backs",

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <unordered_set>
 
@@ -31,8 +32,9 @@ class Beam {
  public:
   Beam(const S& space, BeamOptions options) : space_(space), options_(options) {}
 
-  SearchResult run(RunContext& run) {
-    best_ = SearchResult{};
+  /// `incumbent`: a route that is already known, or nothing.
+  SearchResult run(RunContext& run, SearchResult incumbent = {}) {
+    best_ = std::move(incumbent);
     const typename S::State start = space_.start();
     if (space_.is_goal(start)) {
       best_.found = true;
@@ -40,10 +42,10 @@ class Beam {
       return best_;
     }
     bin_scale_ = kCoarse;
+    const std::size_t widest = std::min(options_.max_width, kMaxRanks / space_.actions());
     for (std::size_t width = options_.width; run.start_iteration(options_.default_passes); width *= 2) {
       pass(start, width, run);
-      run.report(best_.found ? std::optional(best_.cost) : std::nullopt);
-      if (!dropped_ || 2 * width > options_.max_width) break;
+      if (!dropped_ || 2 * width > widest) break;
       bin_scale_ = bin_scale_ == kCoarse ? kFine : kCoarse;
     }
     return best_;
@@ -69,9 +71,9 @@ class Beam {
     bool keep = false;
     bool arrives = false;
   };
+  static constexpr std::size_t kMaxRanks = 1U << 22U;  ///< 100 MB.
   static constexpr double kCoarse = 1;
   static constexpr double kFine = 0.5;
-  static constexpr std::size_t kPollEvery = 16;
   /// Arrivals outrank all else: with a full beam the cheapest must not be missed.
   static constexpr double kFirst = -kInfinity;
 
@@ -83,6 +85,7 @@ class Beam {
       rank_candidates(run);
       if (!run.keep_going()) return;
       keep_best(width, run);
+      run.report(best_.found ? std::optional(best_.cost) : std::nullopt);
     }
   }
 
@@ -93,7 +96,7 @@ class Beam {
     run.executor().for_ranges(beam_.size(), [&](std::size_t begin, std::size_t end) {
       Candidates candidates;
       for (std::size_t i = begin; i < end; ++i) {
-        if ((i - begin) % kPollEvery == 0 && !run.keep_going()) return;
+        if (!run.keep_going()) return;
         space_.expand(beam_[i].state, candidates);
         for (std::size_t k = 0; k < actions; ++k) {
           const double g = beam_[i].cost + candidates.cost[k];

@@ -13,6 +13,7 @@ namespace {
 
 /// Routes may be this much longer than the direct distance; gives the paper's limit of 40 steps.
 constexpr double kDetour = 3.4;
+constexpr double kMaxSteps = 1e5;
 /// Rounding grows by 1e-16 a step; squaring up the axes now and then keeps it there.
 constexpr int kOrthonormaliseEvery = 64;
 /// Bins at scale 1, in steps and radians.
@@ -38,7 +39,7 @@ std::size_t automatic_limit(const Site& site) {
   const double direct = (site.mission.goal - site.mission.start).norm();
   const double steps = std::max(1.0, std::round(kDetour * direct / *site.vehicle.step_m));
   const double within_range = std::floor(site.vehicle.range_m.value_or(kInfinity) / *site.vehicle.step_m);
-  return static_cast<std::size_t>(std::min({steps, within_range, 1e6}));
+  return static_cast<std::size_t>(std::min({steps, within_range, kMaxSteps}));
 }
 
 Mat3 orthonormalised(const Mat3& attitude) {

@@ -9,6 +9,8 @@ namespace alate {
 namespace {
 
 constexpr double kOpenMargin = 0.2;
+/// Thousands of threats make a cell take milliseconds.
+constexpr std::size_t kPollEvery = 8;
 constexpr double kSmallestCell = 1e-6;
 
 /// Start, goal and all threats with a margin, for a world without ground.
@@ -32,7 +34,7 @@ Box2 area_of(const Site& site) {
 
 }  // namespace
 
-CoarseBand::CoarseBand(const World& world) : area_(area_of(world.site())) {
+CoarseBand::CoarseBand(const World& world, RunContext& run) : area_(area_of(world.site())) {
   const Vec2 extent = area_.max - area_.min;
   cell_m_ = std::max({std::sqrt(extent.x() * extent.y() / kCells), extent.maxCoeff() / kCells, kSmallestCell});
   columns_ = std::max(1, static_cast<int>(std::ceil(extent.x() / cell_m_)));
@@ -40,9 +42,10 @@ CoarseBand::CoarseBand(const World& world) : area_(area_of(world.site())) {
   floor_.assign(size(), kInfinity);
   ceiling_.assign(size(), -kInfinity);
   threat_.assign(size() * kLayers, 0);
-  for (std::size_t cell = 0; cell < size(); ++cell) sample_ground(world, cell);
+  const auto may_go_on = [&](std::size_t cell) { return cell % kPollEvery != 0 || run.keep_going(); };
+  for (std::size_t cell = 0; cell < size() && may_go_on(cell); ++cell) sample_ground(world, cell);
   close_upwards(world.site());
-  for (std::size_t cell = 0; cell < size(); ++cell)
+  for (std::size_t cell = 0; cell < size() && may_go_on(cell); ++cell)
     if (!blocked(cell)) sample_threat(world, cell);
 }
 

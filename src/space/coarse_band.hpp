@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "alate/core/run_context.hpp"
 #include "alate/world/world.hpp"
 #include "space/candidates.hpp"
 
@@ -17,7 +18,8 @@ class CoarseBand {
   static constexpr int kCells = 12000;      ///< About so many, whatever the area.
   static constexpr int kSamplesAcross = 4;  ///< Ground samples along a cell's side.
 
-  explicit CoarseBand(const World& world);
+  /// Stops early, leaving cells blocked or without threat, when `run` says so.
+  CoarseBand(const World& world, RunContext& run);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

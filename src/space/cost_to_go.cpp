@@ -35,7 +35,7 @@ double slope(const std::optional<double>& limit_rad) {
 
 CostToGo::CostToGo(const World& world, RunContext& run)
     : site_(world.site()),
-      band_(world),
+      band_(world, run),
       climb_slope_(slope(site_.vehicle.climb_rad)),
       descent_slope_(slope(site_.vehicle.descent_rad)),
       values_(band_.size() * kLayers, kInfinity),
@@ -94,7 +94,25 @@ bool CostToGo::relax(std::size_t cell, int direction, std::size_t from) {
     known = static_cast<float>(offer);
     improved |= improve(cell, direction, layer);
   }
+  if (improved) circle(cell);
   return improved;
+}
+
+/// Altitude can be changed within a cell, on circles as long as the slope limits ask for.
+void CostToGo::circle(std::size_t cell) {
+  const double layer_m = band_.layer_m(cell);
+  const double climb = site_.scenario.objective.climb * layer_m;
+  const auto value = [&](int layer) -> double& { return values_[at(cell, layer)]; };
+  for (int layer = kLayers - 2; layer >= 0; --layer)
+    value(layer) = std::min(value(layer), value(layer + 1) + climb + metre_cost(cell, layer) * layer_m / climb_slope_);
+  for (int layer = 1; layer < kLayers; ++layer)
+    value(layer) = std::min(value(layer), value(layer - 1) + metre_cost(cell, layer) * layer_m / descent_slope_);
+}
+
+double CostToGo::metre_cost(std::size_t cell, int layer) const {
+  const ObjectiveSpec& weights = site_.scenario.objective;
+  const double threat = band_.threat(cell, layer);
+  return threat < kInfinity ? weights.length + weights.threat * threat : kInfinity;
 }
 
 /// The least that neighbour `from` costs for an aircraft that comes from altitude `z`, its climb included. The value
@@ -117,8 +135,7 @@ double CostToGo::reach(std::size_t from, double distance_m, double z) const {
 }
 
 bool CostToGo::improve(std::size_t cell, int direction, int layer) {
-  const ObjectiveSpec& weights = site_.scenario.objective;
-  const double step = band_.cell_m() * (weights.length + weights.threat * band_.threat(cell, layer));
+  const double step = band_.cell_m() * metre_cost(cell, layer);
   const auto offer = [&](int d) {
     return static_cast<double>(offers_[offer_at(cell, (d + kDirections) % kDirections, layer)]);
   };

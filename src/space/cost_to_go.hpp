@@ -8,7 +8,8 @@
 // Update of cell a at altitude z from neighbour b: U_b(z) = min over reachable z' of V_b(z') + climb * (z' - z)+;
 // then V_a(z) = min(U_b + c |ab|), and for a pair of neighbours (straight, diagonal) the upwind update of
 // Tsitsiklis 1995, U_s + sqrt((c h)^2 - (U_s - U_d)^2), so that directions between the eight are not dearer.
-// c = length + threat * exposure per metre at (a, z). Label-correcting from the goal, cheapest first.
+// c = length + threat * exposure per metre at (a, z). Within a cell altitude changes on circles, at the price of their
+// length. Label-correcting from the goal, cheapest first.
 //
 // It is a guide, no bound and no proof: cells are coarse, floors are optimistic, values are interpolated.
 // Deterministic. About 12000 cells x 6 altitudes.
@@ -45,6 +46,8 @@ class CostToGo {
   bool relax(std::size_t cell, int direction, std::size_t from);
   double reach(std::size_t from, double distance_m, double z) const;
   bool improve(std::size_t cell, int direction, int layer);
+  void circle(std::size_t cell);
+  double metre_cost(std::size_t cell, int layer) const;
   double straight_estimate(const Vec3& position) const;
   double value_at(std::size_t cell, double z) const;
   double lowest(std::size_t cell) const;

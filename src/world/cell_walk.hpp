@@ -45,8 +45,8 @@ struct CellWalk {
         per_dy(1 / dy),
         side_x(side(dx)),
         side_y(side(dy)),
-        step_x(dx > 0 ? 1 : -1),
-        step_y(dy > 0 ? 1 : -1),
+        step_x(2 * int{dx > 0} - 1),
+        step_y(2 * int{dy > 0} - 1),
         cell_columns(columns),
         cell_rows(rows),
         column(std::min(static_cast<int>(x), columns - 1)),
@@ -106,7 +106,7 @@ struct CellWalk {
     const int before = static_cast<int>(position) - step;
     if ((before - cell) * step > 0) cell = before;
   }
-  static int side(double d) { return d > 0 ? 1 : d < 0 ? 0 : 2; }
+  static int side(double d) { return int{d > 0} + 2 * int{d == 0}; }
 };
 
 }  // namespace alate

@@ -22,18 +22,15 @@ struct Quadratic {
   double end = 0;
 
   double at(double s) const { return c0 + s * (c1 + s * c2); }
-  /// The vertex lies at most this far beyond the nearer end.
+  double last() const { return at(end); }
+  /// A vertex within the cell lies at most this far beyond the nearer end.
   double bulge() const { return 0.25 * std::abs(c2) * end * end; }
-  double lowest() const {
-    const double vertex = -c1 / (2 * c2);
-    const double ends = std::min(c0, at(end));
-    return c2 > 0 && vertex > 0 && vertex < end ? std::min(ends, at(vertex)) : ends;
-  }
-  double highest() const {
-    const double vertex = -c1 / (2 * c2);
-    const double ends = std::max(c0, at(end));
-    return c2 < 0 && vertex > 0 && vertex < end ? std::max(ends, at(vertex)) : ends;
-  }
+  /// Is there a lowest point between the ends? Its height is that of the vertex.
+  bool dips() const { return (c2 > 0) & (c1 < 0) & (c1 + 2 * c2 * end > 0); }
+  bool arches() const { return (c2 < 0) & (c1 > 0) & (c1 + 2 * c2 * end < 0); }
+  double vertex() const { return at(-c1 / (2 * c2)); }
+  double lowest() const { return dips() ? std::min({c0, last(), vertex()}) : std::min(c0, last()); }
+  double highest() const { return arches() ? std::max({c0, last(), vertex()}) : std::max(c0, last()); }
   bool unknown() const { return std::isnan(c2); }
 };
 
@@ -43,8 +40,9 @@ struct Lowest {
 
   bool may_skip(double low, double /*high*/) const { return low > best + kRounding_m; }
   bool accept(const Quadratic& above) {
-    if (std::min(above.c0, above.at(above.end)) - above.bulge() > best) return true;
-    best = above.unknown() ? -kInfinity : std::min(best, above.lowest());
+    best = std::min(best, std::min(above.c0, above.last()));
+    if (above.dips()) best = std::min(best, above.vertex());
+    if (above.unknown()) best = -kInfinity;
     return best > -kInfinity;
   }
 };
@@ -57,7 +55,7 @@ struct Within {
   bool may_skip(double low, double high) const { return low > floor + kRounding_m && high < roof - kRounding_m; }
   bool accept(const Quadratic& above) const {
     const double first = above.c0;
-    const double last = above.at(above.end);
+    const double last = above.last();
     const double bulge = above.bulge();
     if (std::min(first, last) - bulge > floor && std::max(first, last) + bulge < roof) return true;
     return !above.unknown() && above.lowest() >= floor && (roof == kInfinity || above.highest() <= roof);

@@ -7,6 +7,7 @@
 
 #include "alate/core/stream.hpp"
 #include "check/example.hpp"
+#include "support/jacksboro.hpp"
 
 namespace alate::test {
 namespace {
@@ -91,6 +92,19 @@ TEST(HeightRange, BentMapIsFollowedInShortCuts) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Stream random(seed, 4, 4);
     const Segment leg = random_leg(random, {Vec2(300, 300), Vec2(3700, 3700)}, 3000);
+    const Sampled brute = sample(leg, 0.05, [&](const Vec2& xy) { return raster.height(xy).value(); });
+    EXPECT_NEAR(height_range(raster, leg).lowest->height_m, brute.lowest, 0.1);
+    EXPECT_NEAR(height_range(raster, leg).highest->height_m, brute.highest, 0.1);
+  }
+}
+
+TEST(HeightRange, RealTerrainInAnotherFrameAgreesWithSampling) {
+  const Site site = jacksboro();
+  const auto& raster = std::get<HeightRaster>(site.ground);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Stream random(seed, 6, 6);
+    const Vec2 margin(2000, 2000);  // the posts lie askew in the box
+    const Segment leg = random_leg(random, {raster.area.min + margin, raster.area.max - margin}, 3000);
     const Sampled brute = sample(leg, 0.05, [&](const Vec2& xy) { return raster.height(xy).value(); });
     EXPECT_NEAR(height_range(raster, leg).lowest->height_m, brute.lowest, 0.1);
     EXPECT_NEAR(height_range(raster, leg).highest->height_m, brute.highest, 0.1);

@@ -30,11 +30,8 @@ inline Site konatowski_site(double fuel, const std::vector<Sphere>& spheres) {
   Site site;
   site.scenario.objective = {
       .model = CostModel::konatowski2019, .length = 0, .threat = 1 - fuel, .climb = 0, .fuel = fuel};
-  site.mission = {.start = {7, 1, 5},
-                  .heading_rad = radians(90),
-                  .heading_given = true,
-                  .goal = {20, 20, 10},
-                  .tolerance_m = 2};
+  site.mission = {
+      .start = {7, 1, 5}, .heading_rad = radians(90), .heading_given = true, .goal = {20, 20, 10}, .tolerance_m = 2};
   site.vehicle.step_m = 2;
   site.vehicle.roll_rad = site.vehicle.pitch_rad = site.vehicle.yaw_rad = angles({-15, -7.5, 0, 7.5, 15});
   for (const Sphere& s : spheres)
@@ -57,7 +54,8 @@ inline HeightRaster raster_of(int columns, int rows, double cell_m,
   return raster;
 }
 
-/// A plain of 10 km x 8 km with a wall across it from south to north, 1000 m high, at x = 5000 m. With `gap` it is
+/// A plain of 10 km x 8 km with a wall across it from south to north, 1000 m high, at x = 5000 m, and a ceiling below
+/// its top. With `gap` it is
 /// open between y = 6000 m and 7000 m. Start and goal lie 4 km before and behind it, both at y = 2000 m.
 inline Site ridge_site(bool gap = true) {
   Site site;
@@ -65,7 +63,7 @@ inline Site ridge_site(bool gap = true) {
     const bool open = gap && y > 5950 && y < 7050;
     return std::abs(x - 5000) < 350 && !open ? 1000.0 : 0.0;
   });
-  site.band = {.clearance_m = 50, .ceiling_agl_m = 400};
+  site.band = {.clearance_m = 50, .ceiling_agl_m = 400, .ceiling_amsl_m = 600};
   site.mission = {.start = {1000, 2000, 150},
                   .heading_rad = radians(90),
                   .heading_given = true,

@@ -60,10 +60,11 @@ PostMap bent_map() {
   return PostMap::lattice({{0, 0}, {640, 560}}, 80, kColumns, knots);
 }
 
-World world_of(HeightRaster raster, Band band = {}) {
+World world_of(decltype(Site::ground) ground, Band band = {}, std::vector<Threat> threats = {}) {
   Site site;
-  site.ground = std::move(raster);
+  site.ground.swap(ground);
   site.band = band;
+  site.threats = std::move(threats);
   return World(std::move(site));
 }
 
@@ -157,9 +158,7 @@ TEST(Clearance, CeilingAboveGroundIsHeldAllAlong) {
 }
 
 TEST(Clearance, WithoutGroundOnlyTheCeilingLimits) {
-  Site site;
-  site.band.ceiling_amsl_m = 100;
-  const World world(site);
+  const World world = world_of(std::monostate{}, {.ceiling_amsl_m = 100});
   EXPECT_EQ(world.clearance({{0, 0, 0}, {1, 1, 1}}), kInfinity);
   EXPECT_EQ(world.height({5, 5}), 0);
   EXPECT_TRUE(world.is_free({{0, 0, 100}, {1e6, 0, 50}}));
@@ -167,9 +166,8 @@ TEST(Clearance, WithoutGroundOnlyTheCeilingLimits) {
 }
 
 TEST(Clearance, CoresAreNotFree) {
-  Site site;
-  site.threats = {{.name = "radar", .center = {0, 0, 0}, .radius_m = 500, .level = 0.5, .core_m = 100}};
-  const World world(site);
+  const World world = world_of(std::monostate{}, {},
+                               {{.name = "radar", .center = {0, 0, 0}, .radius_m = 500, .level = 0.5, .core_m = 100}});
   EXPECT_FALSE(world.is_free({{-500, 99, 0}, {500, 99, 0}}));
   EXPECT_TRUE(world.is_free({{-500, 101, 0}, {500, 101, 0}}));
   EXPECT_TRUE(world.enters_core({{0, 0, 0}, {0, 0, 0}}));
@@ -185,12 +183,7 @@ TEST_P(PeakClearance, IsNeverAboveTheTruthAndCloseToIt) {
                                     {{220, 200}, -60, {50, 20}}},
                           .maximum = GetParam(),
                           .area = {{0, 0}, {500, 500}}};
-  const auto world_with = [&](Band band) {
-    Site site;
-    site.ground = ground;
-    site.band = band;
-    return World(site);
-  };
+  const auto world_with = [&](Band band) { return world_of(ground, band); };
   const World open = world_with({});
   for (std::uint64_t i = 0; i < 500; ++i) {
     Stream stream(12, 0, i);
@@ -218,10 +211,9 @@ TEST_P(PeakClearance, IsNeverAboveTheTruthAndCloseToIt) {
 }
 
 TEST_P(PeakClearance, NeedleHillIsFoundFromAfar) {
-  Site site;
-  site.ground = PeakGround{
+  const PeakGround needle{
       .peaks = {{{5000.3, 5000}, 8000, {0.001, 0.001}}}, .maximum = GetParam(), .area = {{0, 0}, {10000, 10000}}};
-  EXPECT_NEAR(World(site).clearance({{0, 5000, 9000}, {10000, 5000, 9000}}), 1000, 0.06);
+  EXPECT_NEAR(world_of(needle).clearance({{0, 5000, 9000}, {10000, 5000, 9000}}), 1000, 0.06);
 }
 
 INSTANTIATE_TEST_SUITE_P(SumAndMaximum, PeakClearance, testing::Bool());

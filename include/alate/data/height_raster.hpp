@@ -40,10 +40,6 @@ class PostMap {
     return next_bend(a, b, t);
   }
 
-  /// Longest leg, in metres, whose image departs from the straight line between its mapped ends by less than
-  /// 0.001 post. Infinite for an affine map.
-  double straight_length_m() const { return straight_length_m_; }
-
  private:
   /// A place in a triangle of the lattice: square (i, j), and within it u right and v up, in [0, 1].
   struct Place {
@@ -62,11 +58,12 @@ class PostMap {
     const int j = std::min(static_cast<int>(at.y()), rows_ - 2);
     return {i, j, at.x() - i, at.y() - j};
   }
+  /// Along the first side by the larger of u and v, then along the second by the smaller: no branch to guess.
   Vec2 interpolate(const Place& p) const {
     const Vec2* low = knots_.data() + static_cast<std::ptrdiff_t>(p.j) * columns_ + p.i;
     const Vec2* high = low + columns_;
-    if (p.below_diagonal()) return low[0] + p.u * (low[1] - low[0]) + p.v * (high[1] - low[1]);
-    return low[0] + p.v * (high[0] - low[0]) + p.u * (high[1] - high[0]);
+    const Vec2* corner = p.below_diagonal() ? low + 1 : high;
+    return *low + std::max(p.u, p.v) * (*corner - *low) + std::min(p.u, p.v) * (high[1] - *corner);
   }
   double next_bend(const Vec2& a, const Vec2& b, double t) const;
 
@@ -76,7 +73,6 @@ class PostMap {
   int columns_ = 0;
   int rows_ = 0;
   std::vector<Vec2> knots_;  ///< Empty for an affine map.
-  double straight_length_m_ = 0;
 };
 
 /// The ground between four posts is bilinear. A cell with a void post is unknown ground, never zero.

@@ -1,0 +1,73 @@
+#include "options.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace alate::cli {
+
+namespace {
+
+template <class Number>
+std::optional<Number> parse(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stopped != end) return std::nullopt;
+  return value;
+}
+
+std::string describe(WholeLimits limits) {
+  return limits.max == UINT64_MAX ? fmt::format(">= {}", limits.min) : fmt::format("{} to {}", limits.min, limits.max);
+}
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about, const std::string& example) {
+  CLI::App* command = app.add_subcommand(name, about);
+  command->footer(fmt::format("\nExample:\n  {}", example));
+  command->allow_extras();
+  return command;
+}
+
+CLI::Option* add_text(CLI::App& command, const std::string& names, Text& value, const std::string& help) {
+  return command.add_option_function<std::string>(names, [&value](const std::string& text) { value = text; }, help);
+}
+
+void add_list(CLI::App& command, const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  command.add_option(name, values, help)->allow_extra_args(false);
+}
+
+std::optional<std::uint64_t> read_whole(const std::string& option, const Text& text, WholeLimits limits,
+                                        FaultList& faults) {
+  if (!text) return std::nullopt;
+  const auto value = parse<std::uint64_t>(*text);
+  if (value && *value >= limits.min && *value <= limits.max) return value;
+  faults.add({.file = option,
+              .value = text->empty() ? "nothing" : *text,
+              .limit = describe(limits),
+              .message = "is not a whole number within its limits"});
+  return std::nullopt;
+}
+
+std::optional<double> read_positive(const std::string& option, const Text& text, const std::string& unit,
+                                    FaultList& faults) {
+  if (!text) return std::nullopt;
+  const auto value = parse<double>(*text);
+  if (value && std::isfinite(*value) && *value > 0) return value;
+  faults.add({.file = option,
+              .value = text->empty() ? "nothing" : *text,
+              .limit = "> 0",
+              .unit = unit,
+              .message = value ? "out of range" : "is not a number"});
+  return std::nullopt;
+}
+
+std::string read_required(const std::string& name, const Text& text, FaultList& faults) {
+  if (text && !text->empty()) return *text;
+  faults.add({.file = name, .message = "is missing on the command line"});
+  return {};
+}
+
+}  // namespace alate::cli

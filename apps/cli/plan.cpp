@@ -1,0 +1,206 @@
+// alate plan: from a scenario to a checked route, shown and written.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "alate/data/scenario_file.hpp"
+#include "alate/out/result.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace alate::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMaxThreads = 1024;
+
+/// The command line as written.
+struct PlanLine {
+  Text scenario, planner, preset, seed, threads, iterations, time_limit, out;
+  std::vector<std::string> settings;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+/// The command line as understood.
+struct PlanOptions {
+  std::string scenario;
+  PlannerRequest request;
+  RunOptions run;
+  int threads = 1;
+};
+
+ParamSetting read_setting(const std::string& text, FaultList& faults) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    faults.add({.file = "--set", .value = text, .limit = "parameter=value", .message = "names no parameter and value"});
+  const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  return {.name = text.substr(0, equals), .text = value, .file = "--set"};
+}
+
+/// Faults that show before anything is made: a file in the way, or a folder that may not be written.
+void check_folder(const fs::path& folder, FaultList& faults) {
+  std::error_code ignored;
+  fs::path nearest = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(nearest, ignored) && nearest != nearest.root_path()) nearest = nearest.parent_path();
+  if (!fs::is_directory(nearest, ignored))
+    faults.add({.file = "--out", .value = folder.string(), .message = nearest.string() + " is not a folder"});
+  else if (access(nearest.c_str(), W_OK | X_OK) != 0)
+    faults.add({.file = "--out", .value = folder.string(), .message = nearest.string() + " cannot be written to"});
+}
+
+/// Made before planning, so that no long run is lost to a folder that cannot be.
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(
+        Fault{.file = "--out", .value = folder.string(), .message = "the folder cannot be made: " + error.message()});
+}
+
+PlanOptions read_options(const PlanLine& line, FaultList& faults) {
+  PlanOptions options;
+  options.scenario = read_required("SCENARIO", line.scenario, faults);
+  options.request = {.name = line.planner.value_or(""), .preset = line.preset.value_or("")};
+  for (const std::string& text : line.settings) options.request.settings.push_back(read_setting(text, faults));
+  const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{kMaxThreads});
+  options.threads = static_cast<int>(
+      read_whole("--threads", line.threads, {.min = 1, .max = kMaxThreads}, faults).value_or(processors));
+  options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
+  options.run.time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults);
+  options.run.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);
+  if (line.out) check_folder(*line.out, faults);
+  return options;
+}
+
+/// What can be said about the planner asked for when there is no world to try it on.
+void check_request(const PlannerRequest& request, FaultList& faults) {
+  const PlannerEntry* entry = builtin_planners().find(request.name);
+  if (request.name.empty()) return;
+  if (entry == nullptr) {
+    faults.add({.file = "--planner", .value = request.name, .message = "unknown planner"});
+    return;
+  }
+  std::vector<Fault> found;
+  entry->parameters.resolve({}, request.settings, found);
+  for (Fault& fault : found) faults.add(std::move(fault));
+}
+
+/// A problem ready to be solved.
+struct Task {
+  std::unique_ptr<const World> world;
+  std::unique_ptr<const ChosenPlanner> planner;
+};
+
+Task read_task(const PlanLine& line, const PlanOptions& options, FaultList& faults) {
+  std::optional<Scenario> scenario;
+  std::optional<Site> site;
+  if (!options.scenario.empty())
+    scenario = faults.collect([&] { return load_scenario(options.scenario, line.overrides); });
+  if (scenario) site = faults.collect([&] { return load_site(*scenario); });
+  if (!site) {
+    check_request(options.request, faults);
+    return {};
+  }
+  Task task;
+  task.world = std::make_unique<const World>(std::move(*site));
+  task.planner = faults
+                     .collect([&] {
+                       return std::make_unique<const ChosenPlanner>(
+                           choose_planner(builtin_planners(), Problem(*task.world), options.request));
+                     })
+                     .value_or(nullptr);
+  return task;
+}
+
+Result solve(const Task& task, RunOptions run_options, int threads) {
+  Executor executor(threads);
+  ProgressBar bar;
+  run_options.on_progress = [&bar](const Progress& progress) { bar.draw(progress); };
+  RunContext run(executor, std::move(run_options));
+  Plan plan = task.planner->planner.plan(Problem(*task.world), run);
+  const double wall_s = run.elapsed_s();
+  const Site& site = task.world->site();
+  Result result{.site = site, .planner = *task.planner, .plan = std::move(plan), .wall_s = wall_s, .threads = threads};
+  result.metrics = measure(site, result.plan.route);
+  result.verdict = check(site, result.plan.route);
+  result.warnings = site.warnings;
+  return result;
+}
+
+/// A route that cannot be written is still shown: the fault becomes a warning, and the exit code.
+int write(const std::string& folder, Result& result) {
+  try {
+    write_results(folder, result);
+    return kDone;
+  } catch (const InputError& error) {
+    result.warnings.push_back(fmt::format("not written: {}", error.what()));
+    return kBadInput;
+  } catch (const std::exception& error) {
+    result.warnings.push_back(fmt::format("not written: {}", error.what()));
+    return kInternalFault;
+  }
+}
+
+void show(const Result& result, const PlanLine& line) {
+  if (line.json) {
+    fmt::print("{}\n", to_json(result));
+    return;
+  }
+  fmt::print("{}", describe(result));
+  if (result.files.empty()) return;
+  std::vector<std::string> names = result.files;
+  std::ranges::stable_partition(names, [](const std::string& name) { return name == "report.html"; });
+  fmt::print("Files, the report first:\n");
+  for (const std::string& name : names) fmt::print("  {}\n", (fs::path(*line.out) / name).string());
+}
+
+int plan(const PlanLine& line, FaultList faults) {
+  const Interrupt interrupt;  // Before any other thread.
+  PlanOptions options = read_options(line, faults);
+  const Task task = read_task(line, options, faults);
+  faults.throw_if_any();
+  if (line.out) make_folder(*line.out);
+
+  options.run.stop = interrupt.token();
+  Result result = solve(task, options.run, options.threads);
+  const int written = line.out ? write(*line.out, result) : kDone;
+  show(result, line);
+  if (written != kDone) {
+    fmt::print(stderr, "alate: {}\n", result.warnings.back());
+    return written;
+  }
+  if (interrupt.requested()) return kInterrupted;
+  return !result.plan.route.empty() && result.verdict.ok() ? kDone : kNoGoodRoute;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Command& chosen) {
+  const auto line = std::make_shared<PlanLine>();
+  CLI::App& command =
+      *add_command(app, "plan", "Plan a route, check it, show it and write it",
+                   "alate plan scenario.yaml --planner beam --override terrain.clearance_m=90 --out out");
+  add_text(command, "SCENARIO", line->scenario, "scenario file (YAML or JSON); - reads standard input");
+  add_text(command, "--planner", line->planner, "planner to use (see alate planners); beats the scenario's");
+  add_text(command, "--preset", line->preset, "named set of the planner's parameters");
+  add_list(command, "--set", line->settings, "parameter=value of the planner; may be repeated");
+  add_list(command, "--override", line->overrides, "key.path=VALUE of the scenario; may be repeated");
+  add_text(command, "--seed", line->seed, "seed of all random numbers (default 1)");
+  add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes no result");
+  add_text(command, "--iterations", line->iterations, "iterations at most, >= 1");
+  add_text(command, "--time-limit", line->time_limit, "seconds of planning at most, > 0; keeps the best so far");
+  add_text(command, "--out", line->out, "folder for the report, mission files and result.json");
+  command.add_flag("--json", line->json, "result as JSON on standard output, and nothing else");
+  command.callback([&chosen, line] { chosen = [line](FaultList faults) { return plan(*line, std::move(faults)); }; });
+}
+
+}  // namespace alate::cli

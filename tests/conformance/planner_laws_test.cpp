@@ -1,0 +1,145 @@
+// What every registered planner owes on every problem that it serves.
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <filesystem>
+#include <map>
+
+#include "alate/check/check.hpp"
+#include "alate/data/scenario_file.hpp"
+#include "space/objective.hpp"
+#include "space/rotations.hpp"
+#include "support/fly.hpp"
+
+namespace alate {
+namespace {
+
+using test::fly;
+
+struct Law {
+  std::string planner;
+  std::string problem;
+};
+
+const std::map<std::string, Site>& problems() {
+  static const std::map<std::string, Site> kProblems = [] {
+    std::map<std::string, Site> all{{"open_air", test::open_air_site()},
+                                    {"ridge", test::ridge_site()},
+                                    {"nodes_a", test::konatowski_site(0.5, test::kLayoutA)},
+                                    {"nodes_f", test::konatowski_site(0.2, test::kLayoutF)}};
+    const std::string jacksboro = ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml";
+    if (std::filesystem::exists(jacksboro)) all.emplace("jacksboro", load_site(load_scenario(jacksboro)));
+    return all;
+  }();
+  return kProblems;
+}
+
+std::vector<Law> served() {
+  std::vector<Law> laws;
+  for (const auto& [name, site] : problems()) {
+    const World world(site);
+    for (const PlannerEntry& entry : builtin_planners().entries())
+      if (entry.refuses(Problem(world)).empty()) laws.push_back({entry.name, name});
+  }
+  return laws;
+}
+
+class PlannerLaws : public testing::TestWithParam<Law> {
+ protected:
+  Plan run(RunOptions options = {}, int threads = 1) const {
+    return fly(world_, {.name = GetParam().planner}, std::move(options), threads);
+  }
+
+  World world_{problems().at(GetParam().problem)};
+  const Site& site_ = world_.site();
+};
+
+void expect_same_bits(const Plan& a, const Plan& b) {
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.cost, b.cost);
+  EXPECT_EQ(a.lower_bound, b.lower_bound);
+  EXPECT_EQ(a.counters, b.counters);
+  ASSERT_EQ(a.route.states.size(), b.route.states.size());
+  for (std::size_t i = 0; i < a.route.states.size(); ++i)
+    EXPECT_EQ(a.route.states[i].position, b.route.states[i].position) << i;
+}
+
+TEST_P(PlannerLaws, TheRouteArrivesFreeAndPassesCheck) {
+  const Plan plan = run({.iterations = 3});
+  ASSERT_EQ(plan.outcome, Outcome::feasible) << plan.why;
+  EXPECT_EQ(plan.route.states.front().position, site_.mission.start);
+  EXPECT_EQ(plan.route.states.front().leg, LegKind::start);
+  EXPECT_LE((plan.route.states.back().position - site_.mission.goal).norm(), site_.mission.tolerance_m);
+  for (std::size_t i = 1; i < plan.route.states.size(); ++i) EXPECT_TRUE(world_.is_free(plan.route.segment(i))) << i;
+  const Verdict verdict = check(site_, plan.route);
+  EXPECT_TRUE(verdict.ok());
+  for (const Violation& broken : verdict.violations) ADD_FAILURE() << broken.rule << " on leg " << broken.leg;
+}
+
+TEST_P(PlannerLaws, TheCostIsWhatTheRouteMeasuresAndNotBelowTheBound) {
+  const Plan plan = run({.iterations = 3});
+  EXPECT_NEAR(plan.cost, measure(site_, plan.route).cost, 1e-9 * plan.cost);
+  EXPECT_NEAR(plan.cost, Objective(world_).route_cost(plan.route), 1e-12 * plan.cost);
+  EXPECT_GE(plan.cost, plan.lower_bound);
+  EXPECT_GT(plan.lower_bound, 0);
+}
+
+TEST_P(PlannerLaws, ActionsReplayToTheSamePositions) {
+  const Plan plan = run({.iterations = 1});
+  Mat3 attitude = level_attitude(site_.mission.heading_rad);
+  Vec3 position = site_.mission.start;
+  for (std::size_t i = 1; i < plan.route.states.size(); ++i) {
+    const RouteState& state = plan.route.states[i];
+    ASSERT_TRUE(state.action);
+    attitude = attitude * body_rotation(*state.action);
+    position += *site_.vehicle.step_m * attitude.col(0);
+    EXPECT_LT((state.position - position).norm(), 1e-9 * static_cast<double>(i) * *site_.vehicle.step_m);
+  }
+}
+
+TEST_P(PlannerLaws, AnyNumberOfThreadsGivesTheSameBits) {
+  const Plan one = run({.iterations = 3});
+  expect_same_bits(one, run({.iterations = 3}, 2));
+  expect_same_bits(one, run({.iterations = 3}, 8));
+}
+
+TEST_P(PlannerLaws, MoreIterationsAreNeverWorse) {
+  double before = kInfinity;
+  for (const std::uint64_t iterations : {1U, 2U, 4U}) {
+    const Plan plan = run({.iterations = iterations});
+    EXPECT_LE(plan.cost, before * (1 + 1e-12));
+    EXPECT_LE(plan.counters.at("iterations"), iterations);
+    EXPECT_TRUE(plan.reproducible);
+    before = plan.cost;
+  }
+}
+
+TEST_P(PlannerLaws, ACancelledRunEndsAtOnceWithoutARoute) {
+  std::stop_source source;
+  source.request_stop();
+  const Plan plan = run({.iterations = 1000000000, .stop = source.get_token()});
+  EXPECT_EQ(plan.outcome, Outcome::none_found);
+  EXPECT_TRUE(plan.route.empty());
+  EXPECT_EQ(plan.stop, Stop::cancelled);
+  EXPECT_FALSE(plan.reproducible);
+  EXPECT_FALSE(plan.why.empty());
+}
+
+TEST_P(PlannerLaws, ADeadlineHoldsAndLeavesAValidBestOrNothing) {
+  constexpr int kThreads = 2;
+  for (const double limit_s : {0.001, 0.02, 0.1}) {
+    // Processor time, as other programs may keep this one waiting.
+    const std::clock_t start = std::clock();
+    const Plan plan = run({.iterations = 1000000000, .time_limit_s = limit_s}, kThreads);
+    const double used_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    EXPECT_LT(used_s, kThreads * limit_s + 0.1);
+    EXPECT_EQ(plan.reproducible, plan.stop == Stop::finished);
+    EXPECT_TRUE(plan.outcome == Outcome::none_found || check(site_, plan.route).ok());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PlannerLaws, testing::ValuesIn(served()),
+                         [](const auto& one) { return one.param.planner + "_on_" + one.param.problem; });
+
+}  // namespace
+}  // namespace alate

@@ -1,0 +1,45 @@
+#include "space/objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include "alate/check/check.hpp"
+#include "alate/core/stream.hpp"
+#include "support/hand_made_sites.hpp"
+
+namespace alate {
+namespace {
+
+/// A sphere and a cylinder, near enough that random legs meet both.
+Site site_of(CostModel model) {
+  Site site = test::open_air_site();
+  site.scenario.objective = {.model = model, .length = 1.5, .threat = 3, .climb = 2, .fuel = 0.7};
+  site.threats = {{.name = "sphere", .center = {0, 0, 300}, .radius_m = 500, .level = 0.8},
+                  {.name = "cylinder",
+                   .shape = Threat::Shape::cylinder,
+                   .center = {400, 0, 100},
+                   .radius_m = 300,
+                   .level = 0.4,
+                   .floor_m = 100,
+                   .top_m = 350}};
+  return site;
+}
+
+TEST(Objective, AgreesWithTheSecondWitnessInBothModels) {
+  for (const CostModel model : {CostModel::physical, CostModel::konatowski2019}) {
+    const World world(site_of(model));
+    const Objective objective(world);
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      Stream stream(seed, 0, 0);
+      Route route;
+      for (int i = 0; i < 5; ++i) {
+        const Vec3 place(1000 * stream.uniform() - 300, 800 * stream.uniform() - 400, 500 * stream.uniform());
+        route.states.push_back({.position = place, .leg = i == 0 ? LegKind::start : LegKind::straight});
+      }
+      const double cost = measure(world.site(), route).cost;
+      EXPECT_NEAR(objective.route_cost(route), cost, 1e-6 * cost) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace alate
