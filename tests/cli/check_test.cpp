@@ -57,7 +57,7 @@ TEST_F(Check, EveryFormatIsJudgedAlike) {
 
 TEST_F(Check, BrokenRulesAreNamedWithTheirPlace) {
   const Finished done = alate(
-      {"check", file("result.json"), "--override", "terrain.ceiling_agl_m=200", "--override", "vehicle.climb_deg=1"});
+      {"check", file("result.json"), "--override", "terrain.ceiling_agl_m=130", "--override", "vehicle.climb_deg=1"});
   EXPECT_EQ(done.code, 1) << done.err;
   expect_contains(done.out, {"fail", "BROKEN ceiling", "BROKEN climb", " N ", " W"});
 }

@@ -1,6 +1,8 @@
 // Results kept as files. ALATE_UPDATE_GOLDEN=1 writes them anew; look at the difference before you commit it.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -28,9 +30,9 @@ inline std::string difference(const nlohmann::json& a, const nlohmann::json& b, 
   }
   if (!a.is_structured() || a.type() != b.type() || a.size() != b.size()) return a == b ? "" : path + "/";
   for (const auto& [key, value] : a.items()) {
-    const std::string below = path + "/" + key;
+    std::string below = fmt::format("{}/{}", path, key);
     if (a.is_object() && !b.contains(key)) return below;
-    const std::string found = difference(value, a.is_object() ? b.at(key) : b.at(std::stoul(key)), below);
+    std::string found = difference(value, a.is_object() ? b.at(key) : b.at(std::stoul(key)), below);
     if (!found.empty()) return found;
   }
   return "";

@@ -165,7 +165,7 @@ TEST(Plan, ThreatWithTagsInItsNameDoesNoHarm) {
   const std::string name = "<script>alert(1)</script>";
   const std::string scenario = (folder / "scenario.yaml").string();
   std::string text = replaced(read_file(kJacksboro), "jacksboro.tif", kJacksboroTerrain);
-  text = replaced(text, "Pilot Mountain radar", "\"" + name + "\"");
+  text = replaced(text, "Ridge radar", "\"" + name + "\"");
   write_file(scenario, text);
   const Finished done = alate({"plan", scenario, "--out", (folder / "out").string()});
   EXPECT_EQ(done.code, 0) << done.err;

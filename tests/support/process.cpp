@@ -38,6 +38,15 @@ void redirect(const std::filesystem::path& file, int flags, int stream) {
   _exit(127);
 }
 
+/// Returns the process id.
+int start(const Command& command, const std::filesystem::path& streams) {
+  write_file(streams / "in", command.input);
+  const int pid = fork();
+  if (pid < 0) throw std::runtime_error("fork failed");
+  if (pid == 0) become(command, streams);
+  return pid;
+}
+
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
@@ -53,12 +62,7 @@ TempFolder::~TempFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-Process::Process(const Command& command) : started_s_(now_s()) {
-  write_file(streams_ / "in", command.input);
-  pid_ = fork();
-  if (pid_ < 0) throw std::runtime_error("fork failed");
-  if (pid_ == 0) become(command, streams_.path());
-}
+Process::Process(const Command& command) : started_s_(now_s()), pid_(start(command, streams_.path())) {}
 
 Process::~Process() {
   if (running()) {

@@ -56,7 +56,7 @@ class Process {
  private:
   TempFolder streams_;
   double started_s_;
-  int pid_ = -1;
+  int pid_;
   std::optional<int> status_;
 };
 
