@@ -62,9 +62,10 @@ INSTANTIATE_TEST_SUITE_P(Planners, Terrain, testing::Values("greedy", "beam"));
 
 constexpr const char* kJacksboro = ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml";
 
-TEST(Jacksboro, ATightTimeLimitStillGivesARoute) {
+/// The first pass takes some 10 ms after 40 ms of guidance; the limit leaves room for instrumented builds.
+TEST(Jacksboro, ATimeLimitGivesTheBestSoFar) {
   const World world(load_site(load_scenario(kJacksboro)));
-  const Plan plan = fly(world, {.name = "beam"}, {.iterations = 1000000000, .time_limit_s = 0.2});
+  const Plan plan = fly(world, {.name = "beam"}, {.iterations = 1000000000, .time_limit_s = 1.5});
   EXPECT_EQ(plan.outcome, Outcome::feasible) << plan.why;
   EXPECT_EQ(plan.stop, Stop::deadline);
   EXPECT_FALSE(plan.reproducible);
