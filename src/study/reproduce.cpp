@@ -20,6 +20,10 @@ struct Paper {
 
 constexpr std::array<Paper, 1> kPapers{{{"konatowski2019", konatowski2019::reproduce}}};
 
+auto find(std::string_view paper) {
+  return std::ranges::find(kPapers, paper, [](const Paper& each) { return std::string_view(each.name); });
+}
+
 Fault unknown_paper(const std::string& paper) {
   const std::vector<std::string> known = reproducible_papers();
   Fault fault{.field = "PAPER", .value = paper, .message = "unknown paper"};
@@ -50,10 +54,13 @@ std::vector<std::string> reproducible_papers() {
   return names;
 }
 
+const std::string& require_reproducible(const std::string& paper) {
+  if (find(paper) == kPapers.end()) throw InputError(unknown_paper(paper));
+  return paper;
+}
+
 std::optional<Reproduction> reproduce(const std::string& paper, Executor& executor, const ReproduceOptions& options) {
-  const auto found = std::ranges::find(kPapers, paper, [](const Paper& each) { return std::string(each.name); });
-  if (found == kPapers.end()) throw InputError(unknown_paper(paper));
-  return found->reproduce(executor, options);
+  return find(require_reproducible(paper))->reproduce(executor, options);
 }
 
 std::vector<std::string> write_reproduction(const std::string& folder, const Reproduction& reproduction) {

@@ -73,6 +73,9 @@ struct ReproduceOptions {
 /// Papers that can be reproduced.
 std::vector<std::string> reproducible_papers();
 
+/// The same name. Throws InputError, naming the nearest, for a paper that cannot be reproduced.
+const std::string& require_reproducible(const std::string& paper);
+
 /// Runs the whole comparison, one run a thread. The same at any number of threads but for times. Nothing if it was
 /// stopped. Throws InputError for an unknown paper.
 std::optional<Reproduction> reproduce(const std::string& paper, Executor& executor, const ReproduceOptions& options);
