@@ -1,6 +1,7 @@
 // One ant's walk, and what a colony keeps of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -14,17 +15,37 @@ using TrailKey = std::uint64_t;
 struct Ant {
   std::vector<std::uint32_t> actions;
   std::vector<TrailKey> keys;  ///< Where every action led: the nodes u_j of the route.
+  std::vector<float> costs;    ///< J of every node.
+  std::vector<TrailKey> dead;  ///< Nodes that it stepped back from.
+  std::size_t index = 0;       ///< In its colony.
   double cost = kInfinity;     ///< J_c, eq. (37); infinite unless it arrived.
-  std::uint32_t known = 0;     ///< Moves onto a trail that an earlier iteration had left.
   Choices choices;             ///< Scratch, kept so that nothing is allocated while walking.
 
   bool arrived() const { return cost < kInfinity; }
 
+  /// Takes back the last `moves`; the first of them is not tried again.
+  void step_back(std::size_t moves) {
+    const std::size_t left = actions.size() - std::min(moves, actions.size());
+    dead.push_back(keys[left]);
+    actions.resize(left);
+    keys.resize(left);
+    costs.resize(left);
+  }
+
+  /// Starts with the first `moves` of another ant.
+  void follow(const Ant& other, std::size_t moves) {
+    const auto count = static_cast<std::ptrdiff_t>(moves);
+    actions.assign(other.actions.begin(), other.actions.begin() + count);
+    keys.assign(other.keys.begin(), other.keys.begin() + count);
+    costs.assign(other.costs.begin(), other.costs.begin() + count);
+  }
+
   void restart() {
     actions.clear();
     keys.clear();
+    costs.clear();
+    dead.clear();
     cost = kInfinity;
-    known = 0;
   }
 };
 

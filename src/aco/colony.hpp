@@ -14,12 +14,16 @@
 //   are not on the ant's own route (and may be flown). Only a choice about to be taken is tested, and drawn again if it
 //   is not in K: the chances are the same.
 // - An ant that does not arrive within the step limit leaves nothing, but its nodes join N.
+// - Optional: some ants begin with a random part of the best route so far and walk on from there (iterated ants:
+//   Wiesemann, Stuetzle 2006). On long routes few walks would otherwise come near the best.
+// - Optional: an ant without choices (terrain ahead, say) steps back a few moves instead of ending.
 // Cost: ants x steps x choices an iteration. Determinism: ant a draws from Stream(seed, iteration, a) and writes slot
 // a; trails change between walks only, in order of ants. The same bits for any number of threads.
 #pragma once
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "aco/ant.hpp"
 #include "aco/ant_space.hpp"
@@ -34,6 +38,9 @@ struct ColonyOptions {
   std::size_t ants = 50;
   std::uint64_t iterations = 180;  ///< Where neither a budget nor a time limit is given.
   int alpha = 1;                   ///< Power of the trail; 0: no trail.
+  double follow = 0;               ///< Share of ants that begin with a part of the best route.
+  double give_up = 0;              ///< An ant that will be dearer than the best by this share ends; 0: never.
+  std::size_t step_backs = 0;      ///< An ant without choices steps back, at most this often.
 };
 
 template <class Heuristic, class Transition, class Trail, class Deposit, class LocalSearch>
@@ -49,7 +56,9 @@ template <AntSpace Space, class Policies>
 class Colony {
  public:
   Colony(const Space& space, Policies policies, ColonyOptions options)
-      : space_(space), policies_(std::move(policies)), options_(options), ants_(options.ants) {}
+      : space_(space), policies_(std::move(policies)), options_(options), ants_(options.ants) {
+    for (std::size_t a = 0; a < ants_.size(); ++a) ants_[a].index = a;
+  }
 
   /// The best ant of all iterations; it has not arrived if none did.
   const Ant& run(RunContext& run) {
@@ -81,26 +90,44 @@ class Colony {
   /// One ant, until it arrives, is stuck, or meets the step limit.
   void walk(Ant& ant, Stream stream, RunContext& run) const {
     ant.restart();
-    double cost = 0;
-    typename Space::State state = space_.start();
-    while (ant.actions.size() < space_.step_limit()) {
-      if (ant.actions.size() % kPollEvery == 0 && !run.keep_going()) return;
-      weigh_choices(state, ant.choices);
-      const auto taken = choose(state, ant, stream);
-      if (!taken) return;
-      cost += static_cast<double>(ant.choices.cost[ant.actions.back()]);  // eq. (37)
-      state = *taken;
-      if (space_.is_goal(state)) {
-        ant.cost = cost;
-        return;
+    if (best_.arrived() && stream.uniform() < options_.follow) ant.follow(best_, stream.below(best_.actions.size()));
+    typename Space::State state = state_after(ant.actions);
+    for (std::size_t looks = 0; ant.actions.size() < space_.step_limit(); ++looks) {
+      if (looks % kPollEvery == 0 && !run.keep_going()) return;
+      weigh_choices(state, ant);
+      if (const auto taken = choose(state, ant, stream)) {
+        state = *taken;
+        if (space_.is_goal(state)) ant.cost = cost_of(ant);
+        if (ant.arrived() || is_hopeless(ant)) return;
+        continue;
       }
+      if (ant.actions.empty() || ant.dead.size() >= options_.step_backs) return;
+      ant.step_back(std::size_t{1} << (ant.dead.size() % kBackPowers));
+      state = state_after(ant.actions);
     }
   }
 
+  /// Sum of J over the nodes: eq. (37).
+  static double cost_of(const Ant& ant) { return std::accumulate(ant.costs.begin(), ant.costs.end(), 0.0); }
+
+  /// Would the ant, as far as the guide knows, be much dearer than the best so far?
+  bool is_hopeless(const Ant& ant) const {
+    if (!best_.arrived() || options_.give_up == 0) return false;
+    const double ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
+    return cost_of(ant) + ahead > best_.cost * (1 + options_.give_up);
+  }
+
+  typename Space::State state_after(const std::vector<std::uint32_t>& actions) const {
+    typename Space::State state = space_.start();
+    for (const std::uint32_t k : actions) state = space_.next(state, k);
+    return state;
+  }
+
   /// Numerators of eq. (1): tau_k^alpha (1 / J_k)^beta.
-  void weigh_choices(const typename Space::State& state, Choices& choices) const {
+  void weigh_choices(const typename Space::State& state, Ant& ant) const {
+    Choices& choices = ant.choices;
     space_.look(state, choices);
-    policies_.heuristic(choices);
+    policies_.heuristic(choices, ant.index);
     policies_.trail.read(choices);  // eq. (35)
     multiply_by_trail(options_.alpha, choices);
   }
@@ -112,15 +139,19 @@ class Colony {
       const std::size_t k = policies_.transition(choices, stream);
       if (k >= space_.actions()) return std::nullopt;
       typename Space::State ahead = space_.next(state, k);
-      const bool on_route = std::ranges::find(ant.keys, choices.key[k]) != ant.keys.end();
-      if (!on_route && space_.is_free(state, ahead)) {
-        ant.known += policies_.trail.known(choices.key[k]) ? 1U : 0U;
+      const TrailKey node = choices.key[k];
+      if (!contains(ant.keys, node) && !contains(ant.dead, node) && space_.is_free(state, ahead)) {
         ant.actions.push_back(static_cast<std::uint32_t>(k));
-        ant.keys.push_back(choices.key[k]);
+        ant.keys.push_back(node);
+        ant.costs.push_back(choices.cost[k]);
         return ahead;
       }
       choices.weight[k] = 0;
     }
+  }
+
+  static bool contains(const std::vector<TrailKey>& keys, TrailKey key) {
+    return std::ranges::find(keys, key) != keys.end();
   }
 
   /// The best ant of this iteration after local search, its cost exact.
@@ -142,7 +173,7 @@ class Colony {
     double sum = 0;
     for (const Ant& ant : ants_) {
       moves += ant.actions.size();
-      known += ant.known;
+      for (const TrailKey node : ant.keys) known += policies_.trail.known(node) ? 1U : 0U;
       if (!ant.arrived()) continue;
       ++arrived;
       sum += ant.cost;
@@ -158,6 +189,7 @@ class Colony {
   }
 
   static constexpr std::size_t kPollEvery = 8;
+  static constexpr std::size_t kBackPowers = 5;  ///< A stuck ant takes back 1, 2, 4, 8, 16, 1, 2 ... moves.
 
   const Space& space_;
   Policies policies_;

@@ -91,7 +91,10 @@ class AttitudeAco {
                                                    .local_search = local_search()},
                                           {.ants = static_cast<std::size_t>(values_.integer("ants")),
                                            .iterations = static_cast<std::uint64_t>(values_.integer("iterations")),
-                                           .alpha = static_cast<int>(values_.integer("alpha"))});
+                                           .alpha = static_cast<int>(values_.integer("alpha")),
+                                           .follow = values_.number("follow"),
+                                           .give_up = values_.number("give_up"),
+                                           .step_backs = static_cast<std::size_t>(values_.integer("step_backs"))});
     const Ant& best = colony.run(run);
     history = colony.history();
     return {.found = best.arrived(),
@@ -103,7 +106,8 @@ class AttitudeAco {
 
   AnyHeuristic heuristic(const AttitudeAnts& space) const {
     if (values_.text("heuristic") == "1/J") return {PowerHeuristic{static_cast<int>(values_.integer("beta"))}};
-    return {GoalDirected{static_cast<float>(values_.number("temperature") * space.step_price())}};
+    return {GoalDirected(values_.number("temperature") * space.step_price(), values_.number("spread"),
+                         static_cast<std::size_t>(values_.integer("ants")))};
   }
 
   AnyTransition transition() const {

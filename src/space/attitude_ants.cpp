@@ -99,7 +99,8 @@ ReachBox AttitudeAnts::reach() const {
 
 double AttitudeAnts::step_price() const {
   const ObjectiveSpec& weights = space_.objective().weights();
-  return *site_.vehicle.step_m * (space_.objective().is_physical() ? weights.length : weights.fuel);
+  if (space_.objective().is_physical()) return *site_.vehicle.step_m * weights.length;
+  return weights.fuel * (site_.mission.goal - site_.mission.start).norm() / 2;
 }
 
 }  // namespace alate

@@ -46,6 +46,9 @@ class AttitudeAnts {
   double move_cost(const State& from, const State& to) const { return space_.move_cost(from, to); }
   double lower_bound(const State& state) const { return space_.lower_bound(state); }
 
+  /// Does price_tails know this scenario's costs?
+  bool prices_tails() const { return single_; }
+
   /// Nodes of a string of actions, in body axes before it.
   void unroll(std::span<const std::uint32_t> actions, std::vector<TailNode>& nodes) const;
 
@@ -63,7 +66,8 @@ class AttitudeAnts {
   /// start and goal as foci.
   ReachBox reach() const;
 
-  /// What one step towards the goal costs in open air: the scale of differences between choices.
+  /// What one step more costs: its length, or under the node model fuel times half the direct distance, the mean
+  /// distance of nodes from the goal. The scale of differences between choices.
   double step_price() const;
 
  private:

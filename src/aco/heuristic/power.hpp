@@ -10,7 +10,7 @@ namespace alate {
 struct PowerHeuristic {
   int beta = 3;
 
-  void operator()(Choices& choices) const { weigh_by_power(beta, choices); }
+  void operator()(Choices& choices, std::size_t /*ant*/) const { weigh_by_power(beta, choices); }
 };
 
 }  // namespace alate

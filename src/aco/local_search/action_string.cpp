@@ -48,9 +48,12 @@ class Improver {
   void retrace() {
     states_.assign(1, space_.start());
     costs_.assign(1, 0);
+    ant_.costs.clear();
     for (const std::uint32_t k : ant_.actions) {
       states_.push_back(space_.next(states_.back(), k));
-      costs_.push_back(costs_.back() + space_.move_cost(states_[states_.size() - 2], states_.back()));
+      const double cost = space_.move_cost(states_[states_.size() - 2], states_.back());
+      costs_.push_back(costs_.back() + cost);
+      ant_.costs.push_back(static_cast<float>(cost));
     }
   }
 
@@ -120,11 +123,12 @@ class Improver {
 }  // namespace
 
 bool ActionString::operator()(const AttitudeAnts& space, Ant& ant, double best_cost, RunContext& run) const {
+  if (!space.prices_tails()) return false;
   const double before = ant.cost;
   Improver improver(space, ant, run);
   for (;;) {
     while (improver.sweep_singles()) continue;
-    const bool worth_pairs = ant.cost <= best_cost * (1 + pair_margin);
+    const bool worth_pairs = ant.cost < best_cost * (1 + pair_margin);
     if (!worth_pairs || !improver.sweep_pairs(pair_distance)) break;
   }
   return ant.cost < before;
