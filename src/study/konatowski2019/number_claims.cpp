@@ -41,8 +41,7 @@ double least_distance_sum(const Study& study) {
 
 std::string weights_of(const Published& row) { return fmt::format("fuel {:.1f}, threat {:.1f}", row.fuel, row.threat); }
 
-constexpr const char* kNoFigure3 =
-    "The paper's threats (Figure 3) are not available, so its own figure cannot be told.";
+constexpr const char* kNoFigure3 = "Figure 3, the paper's threats, is not available.";
 
 }  // namespace
 
@@ -133,7 +132,7 @@ GainsByRow gains_of_literal(const Study& study, std::size_t layout) {
 Claim gain_of_ants(const Study& study, std::size_t row) {
   const Published& published = kPublished[row];
   Claim claim{.id = fmt::format("ants-gain-{:.1f}", published.fuel),
-              .text = "The ants improve on their own first routes by the stated gain at " + weights_of(published),
+              .text = "On our layouts the ants gain as much over their own first routes at " + weights_of(published),
               .published = published.gain_percent,
               .ours = {},
               .unit = "%",
@@ -145,7 +144,7 @@ Claim gain_of_ants(const Study& study, std::size_t row) {
   claim.verdict = within ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
   claim.why = fmt::format(
       "From its first arrivals to its best, {} gains {:.1f} to {:.1f} % on our layouts, and the stated "
-      "gain lies {} that. The authors' threats may differ.",
+      "gain lies {} that.",
       kLiteral, least.second, most.second, within ? "within" : "outside");
   return claim;
 }
