@@ -23,13 +23,12 @@ struct Ant {
 
   bool arrived() const { return cost < kInfinity; }
 
-  /// Takes back the last `moves`; the first of them is not tried again.
-  void step_back(std::size_t moves) {
-    const std::size_t left = actions.size() - std::min(moves, actions.size());
-    dead.push_back(keys[left]);
-    actions.resize(left);
-    keys.resize(left);
-    costs.resize(left);
+  /// Takes back the last move, which is not tried again.
+  void step_back() {
+    dead.push_back(keys.back());
+    actions.pop_back();
+    keys.pop_back();
+    costs.pop_back();
   }
 
   /// Starts with the first `moves` of another ant.

@@ -16,7 +16,7 @@
 // - An ant that does not arrive within the step limit leaves nothing, but its nodes join N.
 // - Optional: some ants begin with a random part of the best route so far and walk on from there (iterated ants:
 //   Wiesemann, Stuetzle 2006). On long routes few walks would otherwise come near the best.
-// - Optional: an ant without choices (terrain ahead, say) steps back a few moves instead of ending.
+// - Optional: an ant without choices (terrain ahead, say) takes its last move back instead of ending.
 // Cost: ants x steps x choices an iteration. Determinism: ant a draws from Stream(seed, iteration, a) and writes slot
 // a; trails change between walks only, in order of ants. The same bits for any number of threads.
 #pragma once
@@ -58,6 +58,19 @@ class Colony {
   Colony(const Space& space, Policies policies, ColonyOptions options)
       : space_(space), policies_(std::move(policies)), options_(options), ants_(options.ants) {
     for (std::size_t a = 0; a < ants_.size(); ++a) ants_[a].index = a;
+  }
+
+  /// A route that is known already, for ants to follow; ignored if it may not be flown.
+  void start_from(const std::vector<std::size_t>& actions) {
+    Ant ant;
+    ant.actions.assign(actions.begin(), actions.end());
+    const auto flight = space_.fly(ant.actions);
+    if (!flight) return;
+    ant.actions.resize(flight->moves);
+    ant.cost = flight->cost;
+    policies_.trail.name_route(space_, ant);
+    ant.costs = flight->costs;
+    best_ = std::move(ant);
   }
 
   /// The best ant of all iterations; it has not arrived if none did.
@@ -102,7 +115,7 @@ class Colony {
         continue;
       }
       if (ant.actions.empty() || ant.dead.size() >= options_.step_backs) return;
-      ant.step_back(std::size_t{1} << (ant.dead.size() % kBackPowers));
+      ant.step_back();
       state = state_after(ant.actions);
     }
   }
@@ -189,7 +202,6 @@ class Colony {
   }
 
   static constexpr std::size_t kPollEvery = 8;
-  static constexpr std::size_t kBackPowers = 5;  ///< A stuck ant takes back 1, 2, 4, 8, 16, 1, 2 ... moves.
 
   const Space& space_;
   Policies policies_;

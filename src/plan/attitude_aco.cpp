@@ -21,6 +21,7 @@
 #include "plan/attitude_aco_parameters.hpp"
 #include "plan/attitude_plan.hpp"
 #include "plan/attitude_planners.hpp"
+#include "search/beam.hpp"
 #include "space/attitude_ants.hpp"
 
 namespace alate {
@@ -95,6 +96,7 @@ class AttitudeAco {
                                            .follow = values_.number("follow"),
                                            .give_up = values_.number("give_up"),
                                            .step_backs = static_cast<std::size_t>(values_.integer("step_backs"))});
+    if (const SearchResult beam = first_beam(space, run); beam.found) colony.start_from(beam.actions);
     const Ant& best = colony.run(run);
     history = colony.history();
     return {.found = best.arrived(),
@@ -102,6 +104,15 @@ class AttitudeAco {
             .cost = best.cost,
             .expansions = colony.moves(),
             .candidates = colony.moves() * space.actions()};
+  }
+
+  /// A few narrow passes of beam search give ants over terrain a route to follow (Beam-ACO: Blum 2005). Each counts as
+  /// an iteration.
+  SearchResult first_beam(const AttitudeAnts& space, RunContext& run) const {
+    const auto passes = static_cast<std::uint64_t>(values_.integer("beam_passes"));
+    if (passes == 0 || space.prices_tails()) return {};
+    const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
+    return Beam(space.lattice(), options).run(run);
   }
 
   AnyHeuristic heuristic(const AttitudeAnts& space) const {

@@ -61,12 +61,18 @@ std::vector<Parameter> walk_parameters() {
        .max = 1,
        .help = "Share of ants that begin with a random part of the best route so far.",
        .source = "Wiesemann, Stuetzle 2006 (iterated ants)"},
-      {.name = "give_up", .default_value = 0.02, .min = 0, .max = 1e6, .help = "An ant ends where its cost and the estimated rest are dearer than the best so far by this share; 0: never.", .source = "alate"},
-      {.name = "step_backs",
-       .default_value = whole(100),
+      {.name = "give_up",
+       .default_value = 0.02,
        .min = 0,
        .max = 1e6,
-       .help = "An ant without choices steps back 1, 2, 4, 8, 16, 1 ... moves, at most this often; 0: it ends.",
+       .help =
+           "An ant ends where its cost and the estimated rest are dearer than the best so far by this share; 0: never.",
+       .source = "alate"},
+      {.name = "step_backs",
+       .default_value = whole(1000),
+       .min = 0,
+       .max = 1e6,
+       .help = "An ant without choices takes its last move back, at most this often; 0: it ends.",
        .source = "alate"},
       {.name = "q0",
        .default_value = 0.0,
@@ -148,6 +154,13 @@ std::vector<Parameter> trail_parameters() {
 
 std::vector<Parameter> search_parameters() {
   return {
+      {.name = "beam_passes",
+       .default_value = whole(4),
+       .min = 0,
+       .max = 10,
+       .help = "Over terrain, or with limits of the aircraft: passes of beam search before the ants, for a first route "
+               "to follow.",
+       .source = "Blum 2005 (Beam-ACO)"},
       {.name = "local_search",
        .default_value = word("action-string"),
        .choices = {"action-string", "none"},
@@ -184,7 +197,9 @@ Values published(const Values& changes = {}) {
                 {"iterations", whole(180)},
                 {"local_search", word("none")},
                 {"step_backs", whole(0)},
-                {"follow", 0.0}, {"give_up", 0.0}};
+                {"follow", 0.0},
+                {"give_up", 0.0},
+                {"beam_passes", whole(0)}};
   for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
   return values;
 }

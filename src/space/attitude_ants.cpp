@@ -49,7 +49,9 @@ std::optional<Flight> AttitudeAnts::fly(std::span<const std::uint32_t> actions) 
   State state = start();
   for (const std::uint32_t k : actions) {
     State ahead = next(state, k);
-    flight.cost += space_.move_cost(state, ahead);
+    const double cost = space_.move_cost(state, ahead);
+    flight.cost += cost;
+    flight.costs.push_back(static_cast<float>(cost));
     ++flight.moves;
     if (flight.cost == kInfinity || !is_free(state, ahead)) return std::nullopt;
     state = ahead;

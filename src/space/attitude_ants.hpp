@@ -26,6 +26,7 @@ class AttitudeAnts {
   /// `space` must outlive this.
   AttitudeAnts(const World& world, const AttitudeSpace& space);
 
+  const AttitudeSpace& lattice() const { return space_; }
   State start() const { return space_.start(); }
   std::size_t actions() const { return space_.actions(); }
   std::size_t step_limit() const { return space_.step_limit(); }

@@ -43,6 +43,7 @@ struct Choices {
 struct Flight {
   double cost = 0;
   std::size_t moves = 0;
+  std::vector<float> costs;  ///< Of each move.
 };
 
 /// Box relative to the start, metres.

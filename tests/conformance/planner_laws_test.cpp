@@ -1,6 +1,7 @@
 // What every registered planner owes on every problem that it serves.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <ctime>
 #include <filesystem>
 #include <map>
@@ -18,6 +19,7 @@ using test::fly;
 
 struct Law {
   std::string planner;
+  std::string preset;
   std::string problem;
 };
 
@@ -39,7 +41,8 @@ std::vector<Law> served() {
   for (const auto& [name, site] : problems()) {
     const World world(site);
     for (const PlannerEntry& entry : builtin_planners().entries())
-      if (entry.refuses(Problem(world)).empty()) laws.push_back({entry.name, name});
+      if (entry.refuses(Problem(world)).empty())
+        for (const Preset& preset : entry.presets) laws.push_back({entry.name, preset.name, name});
   }
   return laws;
 }
@@ -47,7 +50,16 @@ std::vector<Law> served() {
 class PlannerLaws : public testing::TestWithParam<Law> {
  protected:
   Plan run(RunOptions options = {}, int threads = 1) const {
-    return fly(world_, {.name = GetParam().planner}, std::move(options), threads);
+    return fly(world_, {.name = GetParam().planner, .preset = GetParam().preset}, std::move(options), threads);
+  }
+
+  /// The published walks seldom arrive in a few iterations, and hardly ever over terrain: no fault of the planner, but
+  /// it must say so.
+  bool may_fail() const {
+    return GetParam().preset.starts_with("konatowski2019") || GetParam().preset == "no-pheromone";
+  }
+  bool said_that_it_failed(const Plan& plan) const {
+    return may_fail() && plan.outcome == Outcome::none_found && plan.route.empty() && !plan.why.empty();
   }
 
   World world_{problems().at(GetParam().problem)};
@@ -66,6 +78,7 @@ void expect_same_bits(const Plan& a, const Plan& b) {
 
 TEST_P(PlannerLaws, TheRouteArrivesFreeAndPassesCheck) {
   const Plan plan = run({.iterations = 3});
+  if (said_that_it_failed(plan)) return;
   ASSERT_EQ(plan.outcome, Outcome::feasible) << plan.why;
   EXPECT_EQ(plan.route.states.front().position, site_.mission.start);
   EXPECT_EQ(plan.route.states.front().leg, LegKind::start);
@@ -78,10 +91,11 @@ TEST_P(PlannerLaws, TheRouteArrivesFreeAndPassesCheck) {
 
 TEST_P(PlannerLaws, TheCostIsWhatTheRouteMeasuresAndNotBelowTheBound) {
   const Plan plan = run({.iterations = 3});
+  EXPECT_GT(plan.lower_bound, 0);
+  if (said_that_it_failed(plan)) return;
   EXPECT_NEAR(plan.cost, measure(site_, plan.route).cost, 1e-9 * plan.cost);
   EXPECT_NEAR(plan.cost, Objective(world_).route_cost(plan.route), 1e-12 * plan.cost);
   EXPECT_GE(plan.cost, plan.lower_bound);
-  EXPECT_GT(plan.lower_bound, 0);
 }
 
 TEST_P(PlannerLaws, ActionsReplayToTheSamePositions) {
@@ -107,10 +121,11 @@ TEST_P(PlannerLaws, MoreIterationsAreNeverWorse) {
   double before = kInfinity;
   for (const std::uint64_t iterations : {1U, 2U, 4U}) {
     const Plan plan = run({.iterations = iterations});
-    EXPECT_LE(plan.cost, before * (1 + 1e-12));
+    const double cost = plan.outcome == Outcome::feasible ? plan.cost : kInfinity;
+    EXPECT_LE(cost, before * (1 + 1e-12));
     EXPECT_LE(plan.counters.at("iterations"), iterations);
     EXPECT_TRUE(plan.reproducible);
-    before = plan.cost;
+    before = cost;
   }
 }
 
@@ -138,8 +153,12 @@ TEST_P(PlannerLaws, ADeadlineHoldsAndLeavesAValidBestOrNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PlannerLaws, testing::ValuesIn(served()),
-                         [](const auto& one) { return one.param.planner + "_on_" + one.param.problem; });
+INSTANTIATE_TEST_SUITE_P(All, PlannerLaws, testing::ValuesIn(served()), [](const auto& one) {
+  std::string name = one.param.planner + "_" + one.param.preset + "_on_" + one.param.problem;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+});
 
 }  // namespace
 }  // namespace alate
