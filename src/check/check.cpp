@@ -32,8 +32,7 @@ Verdict unusable(const Route& route, std::size_t state) {
 
 Status status_of(const Verdict& verdict) {
   if (!verdict.violations.empty()) return Status::fail;
-  const bool unknown = std::any_of(verdict.not_checked.begin(), verdict.not_checked.end(),
-                                   [](const NotChecked& n) { return n.unknown; });
+  const bool unknown = std::ranges::any_of(verdict.not_checked, &NotChecked::unknown);
   return unknown ? Status::unknown : Status::pass;
 }
 

@@ -66,7 +66,7 @@ struct PostLine {
         result.push_back(std::clamp((line - from[axis]) / delta[axis], 0.0, 1.0));
       }
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
   }
 
@@ -77,10 +77,11 @@ struct PostLine {
     if (!grown(posts, kEdge).contains(middle)) return;
     const int column = std::clamp(static_cast<int>(middle.x()), 0, raster.columns - 2);
     const int row = std::clamp(static_cast<int>(middle.y()), 0, raster.rows - 2);
-    const double h00{raster.post(column, row)};
-    const double right = double{raster.post(column + 1, row)} - h00;
-    const double down = double{raster.post(column, row + 1)} - h00;
-    const double twist = double{raster.post(column + 1, row + 1)} - h00 - right - down;
+    const auto post = [&](int right, int down) { return static_cast<double>(raster.post(column + right, row + down)); };
+    const double h00 = post(0, 0);
+    const double right = post(1, 0) - h00;
+    const double down = post(0, 1) - h00;
+    const double twist = post(1, 1) - h00 - right - down;
     if (std::isnan(h00 + right + down + twist)) {
       if (!range.unknown) range.unknown = metres.at((t0 + t1) / 2);
       return;
@@ -113,8 +114,9 @@ HeightRange height_range(const HeightRaster& raster, const Segment& piece) {
   };
   const Vec2 first = within(inside->a);
   const Vec2 last = within(inside->b);
-  for (double t = 0, end = 0; t < 1; t = end) {
-    end = raster.map.straight_until(first, last, t);
+  double t = 0;
+  while (t < 1) {
+    const double end = raster.map.straight_until(first, last, t);
     const Segment metres{inside->at(t), inside->at(end)};
     const Vec2 from = raster.map(within(metres.a));
     const PostLine line{raster, metres, from, raster.map(within(metres.b)) - from};
@@ -123,6 +125,7 @@ HeightRange height_range(const HeightRaster& raster, const Segment& piece) {
       const bool corner = crossings[i] - crossings[i - 1] < kCorner && crossings.size() > 2;
       if (!corner) line.include_cell(crossings[i - 1], crossings[i], range);
     }
+    t = end;
   }
   return range;
 }

@@ -19,8 +19,7 @@ void RuleReport::enter(Verdict& verdict) const {
   for (const Finding& f : findings_) {
     if (f.margin < -kRoundingNoise) verdict.violations.push_back({rule_, f.leg, f.where, f.value, f.limit, f.unit});
   }
-  const auto less = [](const Finding& a, const Finding& b) { return a.margin < b.margin; };
-  const auto worst = std::min_element(findings_.begin(), findings_.end(), less);
+  const auto worst = std::ranges::min_element(findings_, {}, &Finding::margin);
   if (worst != findings_.end()) {
     verdict.margins.push_back({rule_, worst->margin, worst->unit, worst->leg, worst->where});
   }

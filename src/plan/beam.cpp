@@ -25,7 +25,7 @@ struct BeamPlanner {
 std::vector<Parameter> parameters() {
   return {
       {.name = "width",
-       .default_value = std::int64_t{8},
+       .default_value = std::int64_t{32},
        .min = 1,
        .max = 8192,
        .help = "States kept a step in the first pass; every pass doubles it. An iteration is a pass.",

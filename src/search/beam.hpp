@@ -22,9 +22,9 @@
 namespace alate {
 
 struct BeamOptions {
-  std::size_t width = 8;             ///< Of the first pass.
+  std::size_t width = 32;            ///< Of the first pass.
   std::size_t max_width = 8192;      ///< Of the last pass.
-  std::uint64_t default_passes = 6;  ///< Where neither a budget nor a time limit is given.
+  std::uint64_t default_passes = 4;  ///< Where neither a budget nor a time limit is given.
 };
 
 template <Space S>

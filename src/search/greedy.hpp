@@ -90,7 +90,7 @@ class Greedy {
     return result_;
   }
 
-  static constexpr double kBinScale = 1;
+  static constexpr double kBinScale = 0.5;
 
   const S& space_;
   GreedyOptions options_;

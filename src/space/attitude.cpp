@@ -18,7 +18,7 @@ constexpr double kMaxSteps = 1e5;
 constexpr int kOrthonormaliseEvery = 64;
 /// Bins at scale 1, in steps and radians.
 constexpr double kCellSteps = 0.5;
-constexpr double kLayerSteps = 0.25;
+constexpr double kLayerSteps = 0.125;
 constexpr double kDirectionBin = kPi / 12;
 
 LegLimits leg_limits(const Vehicle& vehicle) {

@@ -40,7 +40,7 @@ class AttitudeSpace {
   double move_cost(const State& from, const State& to) const;
   bool is_goal(const State& state) const;
   double lower_bound(const State& state) const;
-  /// Scale 1: half a step in the plane, a quarter in height, 15 degrees of direction.
+  /// Scale 1: half a step in the plane, an eighth in height, 15 degrees of direction.
   std::uint64_t bin(const State& state, double scale) const;
   std::size_t step_limit() const { return step_limit_; }
 

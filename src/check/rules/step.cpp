@@ -28,8 +28,7 @@ Mat3 rotated(const Mat3& attitude, const AttitudeAction& action) {
 
 /// The allowed angle nearest to `angle`.
 double nearest(const std::vector<double>& allowed, double angle) {
-  return *std::min_element(allowed.begin(), allowed.end(),
-                           [&](double a, double b) { return std::abs(a - angle) < std::abs(b - angle); });
+  return *std::ranges::min_element(allowed, {}, [&](double a) { return std::abs(a - angle); });
 }
 
 /// Reports the first angle of the action that the scenario does not have.
@@ -57,7 +56,7 @@ RuleReport judge_step(const Flight& flight) {
     report.not_checked("the scenario gives no step_m with roll_deg, pitch_deg and yaw_deg");
     return report;
   }
-  if (std::none_of(states.begin(), states.end(), [](const RouteState& s) { return s.action.has_value(); })) {
+  if (std::ranges::none_of(states, [](const RouteState& s) { return s.action.has_value(); })) {
     report.not_checked("the file carries no actions");
     return report;
   }

@@ -41,7 +41,7 @@ Nearest nearest_to_cylinder(const Segment& piece, const Threat& threat) {
 RuleReport judge_threat_core(const Flight& flight) {
   RuleReport report("threat_core");
   const auto& threats = flight.site.threats;
-  if (std::none_of(threats.begin(), threats.end(), [](const Threat& t) { return t.core_m > 0; })) {
+  if (std::ranges::none_of(threats, [](const Threat& t) { return t.core_m > 0; })) {
     report.not_checked("no threat has a core_m");
   }
   for (const Leg& leg : flight.legs) {
