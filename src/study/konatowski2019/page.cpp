@@ -8,6 +8,7 @@
 #include "out/report/tables.hpp"
 #include "out/text.hpp"
 #include "study/konatowski2019/layout_view.hpp"
+#include "study/konatowski2019/overview.hpp"
 #include "study/page/study_style.hpp"
 #include "study/page/study_tables.hpp"
 
@@ -66,6 +67,7 @@ std::string page_html(const Study& study, const Reproduction& result) {
       fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
   body += introduction() + facts(study, result);
   body += page_section("Published beside ours", claims_table(result.claims));
+  body += page_section("All methods at a glance", overview_table(study));
   body += page_section("What is wrong with the published definition", defects_list(result.defects));
   for (std::size_t layout = 0; layout < layouts().size(); ++layout)
     body += page_section("Layout " + layouts()[layout].name, layout_view(study, layout));

@@ -28,7 +28,7 @@ Settings settings(const Study& study, const ReproduceOptions& options, int threa
   const Machine machine = this_machine();
   Settings all{{"alate", version()},
                {"seeds", fmt::format("1 to {}", options.seeds)},
-               {"runs_of_planners_without_chance", std::int64_t{1}},
+               {"runs_without_chance", std::int64_t{1}},
                {"goal_tolerance", study.main.cases.front().site().mission.tolerance_m},
                {"step_limit", kStepLimit},
                {"threads", std::int64_t{threads}},

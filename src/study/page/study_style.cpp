@@ -11,6 +11,7 @@ const std::string_view kStudyStyle = R"css(
 .w2 { --line: var(--w2); }
 h3 { font-size: 1.05rem; margin: 1.8rem 0 .5rem; }
 h4 { font-size: .92rem; font-weight: 600; margin: 0 0 .3rem; }
+.soft { color: var(--soft); font-weight: 400; font-size: .82rem; white-space: normal; }
 .lead { margin: 0 0 .8rem; max-width: 46rem; }
 .holds { --c: var(--pass); }
 .does_not_hold, .impossible { --c: var(--fail); }

@@ -38,8 +38,6 @@ std::string gap_of(const Cell& cell) {
   return fmt::format("{:.2f}&#160;%", 100 * (*cell.mean - cell.lower_bound) / cell.lower_bound);
 }
 
-std::string milliseconds(double seconds) { return fixed(1000 * seconds, seconds < 0.01 ? 2 : seconds < 0.1 ? 1 : 0); }
-
 std::string cell_row(const Cell& cell, bool winner) {
   return fmt::format(
       "<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"num\">{} of {}</td><td class=\"num\">{}</td><td "
@@ -65,6 +63,8 @@ std::string case_block(const std::vector<Cell>& cells, const std::string& name) 
 std::string fixed(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : "–";
 }
+
+std::string milliseconds(double seconds) { return fixed(1000 * seconds, seconds < 0.01 ? 2 : seconds < 0.1 ? 1 : 0); }
 
 std::string verdict_words(ClaimVerdict verdict) {
   std::string words = to_string(verdict);

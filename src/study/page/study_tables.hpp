@@ -24,6 +24,9 @@ std::string study_table(const std::vector<std::string>& words, const std::vector
 /// "does not hold".
 std::string verdict_words(ClaimVerdict verdict);
 
+/// "34.5", finer below a hundredth of a second.
+std::string milliseconds(double seconds);
+
 /// A fixed number of decimals; a dash for nothing.
 std::string fixed(const std::optional<double>& value, int decimals);
 
