@@ -21,6 +21,7 @@ using Command = std::function<int(FaultList)>;
 void add_plan(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_planners(CLI::App& app, Command& chosen);
+void add_reproduce(CLI::App& app, Command& chosen);
 void add_init(CLI::App& app, Command& chosen);
 void add_schema(CLI::App& app, Command& chosen);
 

@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <thread>
 
 namespace alate::cli {
 
@@ -49,6 +51,12 @@ std::optional<std::uint64_t> read_whole(const std::string& option, const Text& t
               .limit = describe(limits),
               .message = "is not a whole number within its limits"});
   return std::nullopt;
+}
+
+int read_threads(const Text& text, FaultList& faults) {
+  constexpr unsigned kMaxThreads = 1024;
+  const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
+  return static_cast<int>(read_whole("--threads", text, {.min = 1, .max = kMaxThreads}, faults).value_or(processors));
 }
 
 std::optional<double> read_positive(const std::string& option, const Text& text, const std::string& unit,

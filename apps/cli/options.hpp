@@ -54,6 +54,9 @@ struct WholeLimits {
 std::optional<std::uint64_t> read_whole(const std::string& option, const Text& text, WholeLimits limits,
                                         FaultList& faults);
 
+/// Of --threads; one a processor if it was not given.
+int read_threads(const Text& text, FaultList& faults);
+
 /// A finite number above zero.
 std::optional<double> read_positive(const std::string& option, const Text& text, const std::string& unit,
                                     FaultList& faults);

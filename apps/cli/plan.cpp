@@ -1,15 +1,14 @@
 // alate plan: from a scenario to a checked route, shown and written.
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "alate/data/scenario_file.hpp"
 #include "alate/out/result.hpp"
 #include "commands.hpp"
+#include "folder.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
@@ -19,8 +18,6 @@ namespace alate::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t kMaxThreads = 1024;
 
 /// The command line as written.
 struct PlanLine {
@@ -46,34 +43,12 @@ ParamSetting read_setting(const std::string& text, FaultList& faults) {
   return {.name = text.substr(0, equals), .text = value, .file = "--set"};
 }
 
-/// Faults that show before anything is made: a file in the way, or a folder that may not be written.
-void check_folder(const fs::path& folder, FaultList& faults) {
-  std::error_code ignored;
-  fs::path nearest = fs::absolute(folder).lexically_normal();
-  while (!fs::exists(nearest, ignored) && nearest != nearest.root_path()) nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest, ignored))
-    faults.add({.file = "--out", .value = folder.string(), .message = nearest.string() + " is not a folder"});
-  else if (access(nearest.c_str(), W_OK | X_OK) != 0)
-    faults.add({.file = "--out", .value = folder.string(), .message = nearest.string() + " cannot be written to"});
-}
-
-/// Made before planning, so that no long run is lost to a folder that cannot be.
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(
-        Fault{.file = "--out", .value = folder.string(), .message = "the folder cannot be made: " + error.message()});
-}
-
 PlanOptions read_options(const PlanLine& line, FaultList& faults) {
   PlanOptions options;
   options.scenario = read_required("SCENARIO", line.scenario, faults);
   options.request = {.name = line.planner.value_or(""), .preset = line.preset.value_or("")};
   for (const std::string& text : line.settings) options.request.settings.push_back(read_setting(text, faults));
-  const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{kMaxThreads});
-  options.threads = static_cast<int>(
-      read_whole("--threads", line.threads, {.min = 1, .max = kMaxThreads}, faults).value_or(processors));
+  options.threads = read_threads(line.threads, faults);
   options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
   options.run.time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults);
   options.run.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);

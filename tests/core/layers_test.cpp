@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"plan", {"core", "data", "world", "space", "search", "aco", "plan"}},
     {"check", {"core", "data", "check"}},
     {"out", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out"}},
+    {"study", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out", "study"}},
 };
 
 /// Module that an include line names: "alate/data/site.hpp" and "data/limits.hpp" are both `data`.

@@ -14,7 +14,7 @@ namespace alate {
 
 class HashCells {
  public:
-  explicit HashCells(double cell_m) : per_cell_(1 / cell_m), slots_(kFirstSlots) {}
+  explicit HashCells(double cell_m) : per_cell_(1 / cell_m), slots_(kFirstSlots), filter_(kFilterWords) {}
 
   void name(Choices& choices) const {
     for (std::size_t k = 0; k < choices.key.size(); ++k)
@@ -23,11 +23,12 @@ class HashCells {
 
   /// key = round(coordinate / cell).
   TrailKey name(float x, float y, float z) const {
-    const TrailKey mixed = mix(mix(mix(rounded(x)) ^ rounded(y)) ^ rounded(z));
+    const TrailKey mixed = mix(kX * rounded(x) + kY * rounded(y) + kZ * rounded(z));
     return mixed == kEmpty ? 1 : mixed;
   }
 
   StoredTrail find(TrailKey key) const {
+    if ((filter_[word_of(key)] & bit_of(key)) == 0) return 0;
     for (std::size_t i = key & (slots_.size() - 1); slots_[i].key != kEmpty; i = (i + 1) & (slots_.size() - 1))
       if (slots_[i].key == key) return slots_[i].value;
     return 0;
@@ -38,6 +39,7 @@ class HashCells {
     Slot& slot = slot_of(key);
     if (slot.key == kEmpty) {
       slot.key = key;
+      filter_[word_of(key)] |= bit_of(key);
       ++used_;
     }
     return slot.value;
@@ -51,15 +53,21 @@ class HashCells {
 
  private:
   static constexpr TrailKey kEmpty = 0;
+  static constexpr TrailKey kX = 0x9E3779B97F4A7C15ULL;
+  static constexpr TrailKey kY = 0xC2B2AE3D27D4EB4FULL;
+  static constexpr TrailKey kZ = 0x165667B19E3779F9ULL;
   static constexpr std::size_t kFirstSlots = 1024;
+  static constexpr std::size_t kFilterWords = 1U << 16U;  ///< 512 KB: stays in the cache, unlike the slots.
   struct Slot {
     TrailKey key = kEmpty;
     StoredTrail value = 0;
   };
 
+  /// floor(value / cell + 0.5), without the call that std::floor is on plain x86-64.
   std::uint64_t rounded(float value) const {
-    return static_cast<std::uint64_t>(
-        static_cast<std::int64_t>(std::floor(static_cast<double>(value) * per_cell_ + 0.5)));
+    const double cells = static_cast<double>(value) * per_cell_ + 0.5;
+    const auto cut = static_cast<std::int64_t>(cells);
+    return static_cast<std::uint64_t>(cut - (cells < static_cast<double>(cut) ? 1 : 0));
   }
   /// The finaliser of SplitMix64.
   static std::uint64_t mix(std::uint64_t z) {
@@ -68,6 +76,9 @@ class HashCells {
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
     return z ^ (z >> 31);
   }
+
+  static std::size_t word_of(TrailKey key) { return key >> 48U; }
+  static std::uint64_t bit_of(TrailKey key) { return std::uint64_t{1} << ((key >> 42U) % 64); }
 
   Slot& slot_of(TrailKey key) {
     std::size_t i = key & (slots_.size() - 1);
@@ -85,6 +96,7 @@ class HashCells {
   double per_cell_;
   std::vector<Slot> slots_;
   std::size_t used_ = 0;
+  std::vector<std::uint64_t> filter_;  ///< A bit for the first 22 bits of each key: most places are unknown.
 };
 
 }  // namespace alate

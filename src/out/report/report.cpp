@@ -7,8 +7,8 @@
 #include "alate/data/scenario_file.hpp"
 #include "out/notes.hpp"
 #include "out/report/map_view.hpp"
+#include "out/report/page.hpp"
 #include "out/report/profile_view.hpp"
-#include "out/report/style.hpp"
 #include "out/report/tables.hpp"
 #include "out/text.hpp"
 
@@ -55,10 +55,6 @@ std::string facts(const Result& result) {
   return fmt::format("<ul class=\"facts\">\n{}</ul>\n", items);
 }
 
-std::string section(std::string_view title, const std::string& content) {
-  return content.empty() ? "" : fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", title, content);
-}
-
 std::string file_list(const Result& result) {
   std::string items;
   for (const std::string& file : result.files)
@@ -83,35 +79,20 @@ std::string body(const Result& result) {
                                  xml_escape(title_of(result.site.scenario)));
   html += verdict_banner(result);
   if (found) html += facts(result);
-  html += section("Map", map_figure(result));
-  html += section("Height along the way", profile_figure(result));
-  if (found) html += section("What was checked", rules_table(result));
-  html += section("Numbers", numbers_table(result));
-  html += section("To know before flying", warning_list(result));
-  html += section("How it was made", settings_table(result) + scenario_text(result.site.scenario));
-  html += section("Files", file_list(result));
+  html += page_section("Map", map_figure(result));
+  html += page_section("Height along the way", profile_figure(result));
+  if (found) html += page_section("What was checked", rules_table(result));
+  html += page_section("Numbers", numbers_table(result));
+  html += page_section("To know before flying", warning_list(result));
+  html += page_section("How it was made", settings_table(result) + scenario_text(result.site.scenario));
+  html += page_section("Files", file_list(result));
   return html + fmt::format("<p class=\"notice\">{}</p>\n", xml_escape(notice(result.site)));
 }
 
 }  // namespace
 
 std::string report_html(const Result& result) {
-  constexpr std::string_view kPage = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:"/>
-<title>{}</title>
-<style>{}</style>
-</head>
-<body>
-<main>
-{}</main>
-</body>
-</html>
-)";
-  return fmt::format(kPage, xml_escape("alate: " + title_of(result.site.scenario)), kStyle, body(result));
+  return html_page("alate: " + title_of(result.site.scenario), body(result));
 }
 
 }  // namespace alate

@@ -1,0 +1,41 @@
+// How a colony gets better, iteration by iteration, over its seeds.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/experiment.hpp"
+
+namespace alate {
+
+/// The runs of one method on one case, as a line with its band. Costs are percent above the lower bound.
+struct Convergence {
+  struct Point {
+    std::size_t iteration = 0;  ///< From 1.
+    double best = 0;            ///< Best so far, mean over the seeds.
+    double least = 0;           ///< Over the seeds.
+    double greatest = 0;
+    std::optional<double> mean;  ///< Of the ants that arrived since the last point, mean over iterations and seeds.
+  };
+  std::string css_class;
+  std::vector<Point> points;
+};
+
+/// Points at iterations evenly spaced by their logarithm, from where every seed has a route; none for planners without
+/// history.
+Convergence convergence(const Trial& trial, const std::string& css_class);
+
+/// Lowest and highest cost that diagrams show, percent above the bound.
+struct PercentRange {
+  double from = 1;
+  double to = 100;
+};
+
+/// Holds the best costs and the bands of all lines.
+PercentRange percent_range(const std::vector<std::vector<Convergence>>& diagrams);
+
+/// A small diagram with logarithmic axes; what lies outside the range is cut off.
+std::string convergence_svg(const std::vector<Convergence>& lines, const PercentRange& range, const std::string& title);
+
+}  // namespace alate

@@ -1,0 +1,65 @@
+// alate reproduce.
+#include <csignal>
+#include <thread>
+
+#include "program.hpp"
+
+namespace alate::test {
+
+namespace {
+
+/// Enough to have every part, too little to say anything.
+std::vector<std::string> brief(std::initializer_list<std::string> more) {
+  std::vector<std::string> words{"reproduce", "konatowski2019", "--seeds", "1", "--iterations", "3"};
+  words.insert(words.end(), more);
+  return words;
+}
+
+TEST(Reproduce, ShowsAndWrites) {
+  const TempFolder folder;
+  const std::string out = (folder / "new/out").string();
+  const Finished done = alate(brief({"--out", out}));
+  EXPECT_EQ(done.code, 0) << done.err;
+  expect_contains(done.out, {"Claims", "109.97", "cannot_be_told", "reproduce.html"});
+  expect_contains(read_file(folder / "new/out/reproduce.html"), {"<!DOCTYPE html>", "Layout F"});
+  EXPECT_EQ(Json::parse(read_file(folder / "new/out/reproduce.json")).at("paper"), "konatowski2019");
+}
+
+TEST(Reproduce, JsonIsAllThatStandardOutputHolds) {
+  const Finished done = alate(brief({"--json"}));
+  EXPECT_EQ(done.code, 0) << "whatever the verdicts say";
+  EXPECT_EQ(done.err, "");
+  const Json json = Json::parse(done.out);
+  for (const char* key : {"paper", "claims", "cells", "settings"}) EXPECT_TRUE(json.contains(key)) << key;
+}
+
+TEST(Reproduce, TellsAllFaultsAtOnce) {
+  const TempFolder folder;
+  write_file(folder / "file", "");
+  const Finished done = alate({"reproduce", "konatovski2019", "--seeds", "0", "--threads", "none", "--iterations", "-1",
+                               "--out", (folder / "file").string(), "--sed"});
+  EXPECT_EQ(done.code, 2);
+  expect_contains(done.err, {"did you mean konatowski2019?", "--seeds", "1 to 1000", "--threads", "--iterations",
+                             "is not a folder", "did you mean --seeds?"});
+}
+
+TEST(Reproduce, NeedsAPaper) {
+  const Finished done = alate({"reproduce", "--json"});
+  EXPECT_EQ(done.code, 2);
+  expect_contains(done.err, {"PAPER"});
+  EXPECT_TRUE(Json::parse(done.out).contains("errors"));
+}
+
+TEST(Reproduce, StopsWhenInterrupted) {
+  const TempFolder folder;
+  Process process(alate_command({"reproduce", "konatowski2019", "--seeds", "1000", "--out", folder.path().string()}));
+  while (process.running() && !process.blocks(SIGINT)) std::this_thread::yield();
+  process.send(SIGINT);
+  const Finished done = process.wait(60);
+  EXPECT_EQ(done.code, 130);
+  EXPECT_TRUE(folder.empty());
+}
+
+}  // namespace
+
+}  // namespace alate::test
