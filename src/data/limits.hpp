@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxRouteStates = 100'000;      ///< Positions of o
 
 inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
 /// Raster heights outside these are no ground on Earth but voids that nobody marked as such.
-inline constexpr double kLowestGround_m = -12'000;
-inline constexpr double kHighestGround_m = 9'000;
+inline constexpr double kLowestGround = -12'000;  ///< m
+inline constexpr double kHighestGround = 9'000;   ///< m
 
 }  // namespace alate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace alate {
 
@@ -20,7 +21,7 @@ double PeakGround::height(const Vec2& xy) const {
 
 double PeakGround::steepness() const {
   // h exp(-r^2) is steepest at r = 1/sqrt(2), across the narrower side.
-  static const double kSteepest = std::sqrt(2.0) * std::exp(-0.5);
+  static const double kSteepest = std::numbers::sqrt2 * std::exp(-0.5);
   double sum = 0;
   double steepest = 0;
   for (const Peak& peak : peaks) {

@@ -120,7 +120,8 @@ std::size_t clean(std::vector<float>& posts, GDALRasterBand& band, double to_met
   std::size_t voids = 0;
   for (float& post : posts) {
     const double height = double{post} * scale + offset;
-    const bool known = !(has_no_data != 0 && post == marker) && height >= kLowestGround_m && height <= kHighestGround_m;
+    const bool marked = has_no_data != 0 && post == marker;
+    const bool known = !marked && height >= kLowestGround && height <= kHighestGround;
     post = known ? static_cast<float>(height) : std::numeric_limits<float>::quiet_NaN();
     if (!known) ++voids;
   }

@@ -32,8 +32,8 @@ std::string joined(const std::string& field, const std::string& name) {
 
 }  // namespace
 
-RouteBuilder::RouteBuilder(const Frame& frame, std::string file, std::string format)
-    : frame_(frame), file_(std::move(file)) {
+RouteBuilder::RouteBuilder(Frame frame, std::string file, std::string format)
+    : frame_(std::move(frame)), file_(std::move(file)) {
   result_.format = std::move(format);
 }
 
@@ -72,7 +72,7 @@ std::optional<Vec2> RouteBuilder::planar_position(const GivenPlace& place, const
     if (!metric) refuse({.line = origin.line, .field = origin.field, .message = "no position"});
     return metric;
   }
-  const auto projected = frame_.from_geo({*place.lat_deg, *place.lon_deg});
+  auto projected = frame_.from_geo({*place.lat_deg, *place.lon_deg});
   if (!projected) {
     refuse({.line = origin.line,
             .field = origin.field,

@@ -27,7 +27,7 @@ struct Origin {
 
 class RouteBuilder {
  public:
-  RouteBuilder(const Frame& frame, std::string file, std::string format);
+  RouteBuilder(Frame frame, std::string file, std::string format);
 
   /// Adds a fault of this file; beyond kMaxFaults they are only counted.
   void refuse(Fault fault);

@@ -144,7 +144,10 @@ const Node* Node::find(const std::string& name) const {
   return kind != Kind::map || found == children.end() ? nullptr : &*found;
 }
 
-Node* Node::find(const std::string& name) { return const_cast<Node*>(std::as_const(*this).find(name)); }
+Node* Node::find(const std::string& name) {
+  const auto found = std::ranges::find(children, name, &Node::key);
+  return kind != Kind::map || found == children.end() ? nullptr : &*found;
+}
 
 Node parse_document(const std::string& text, const std::string& file, std::vector<Fault>& faults) {
   std::istringstream stream(text);
