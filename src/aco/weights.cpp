@@ -20,8 +20,8 @@ const float* aligned(const AlignedFloats& array) {
 float* aligned(AlignedFloats& array) { return static_cast<float*>(__builtin_assume_aligned(array.data(), kSimdBytes)); }
 std::size_t whole(const AlignedFloats& array) { return array.size() & ~(kLanes - 1); }
 
-/// exp(x) for x <= 0, to 3e-7 relative: 2^n times a polynomial (Taylor, degree 6) in the rest. No less than 1e-26. The C
-/// library's expf does not vectorise, and differs between libraries.
+/// exp(x) for x <= 0, to 3e-7 relative: 2^n times a polynomial (Taylor, degree 6) in the rest. No less than 1e-26. The
+/// C library's expf does not vectorise, and differs between libraries.
 inline float exp_of_negative(float x) {
   constexpr float kLog2e = 1.44269504F;
   constexpr float kLn2 = 0.693147181F;

@@ -12,13 +12,13 @@ std::string word(const char* text) { return text; }
 std::vector<Parameter> walk_parameters() {
   return {
       {.name = "ants",
-       .default_value = whole(20),
+       .default_value = whole(40),
        .min = 1,
        .max = 100000,
        .help = "Walks an iteration.",
        .source = "alate: the paper leaves it open"},
       {.name = "iterations",
-       .default_value = whole(40),
+       .default_value = whole(30),
        .min = 1,
        .max = 1e9,
        .help = "Iterations where neither a budget nor a time limit is given.",

@@ -81,6 +81,15 @@ TEST_F(BadInput, NegativeRadius) {
   expect_refused(replaced(kSmall, "radius_m: 400", "radius_m: -400"), {"bad.yaml:5:", "threats.0.radius_m", "-400"});
 }
 
+TEST_F(BadInput, AttitudeStepsThatCannotBeFlown) {
+  const std::string paper = read_file(std::string(ALATE_SOURCE_DIR) + "/examples/konatowski2019/a.yaml");
+  const std::string roll = "roll_deg: [-15, -7.5, 0, 7.5, 15]";
+  expect_refused(replaced(paper, roll, "roll_deg: []"), {"vehicle.roll_deg", "got 0", "allowed 1 to"});
+  expect_refused(replaced(paper, roll, "roll_deg: [91]"), {"vehicle.roll_deg.0", "got 91", "-90 to 90 deg"});
+  expect_refused(replaced(paper, "step_m: 2", "step_m: 0"), {"vehicle.step_m", "got 0", "allowed > 0 m"});
+  expect_refused(replaced(paper, "threat: 0.5}", "threat: 0.6}"), {"fuel + threat", "got 1.1", "allowed 1"});
+}
+
 TEST_F(BadInput, UnknownKey) {
   expect_refused(replaced(kSmall, "radius_m", "radus_m"), {"bad.yaml:5:", "radus_m", "radius_m"});
 }

@@ -35,6 +35,16 @@ TEST(ParamTable, DefaultsThenPresetThenSettings) {
   EXPECT_EQ(values.all().size(), 4U);
 }
 
+TEST(ParamTable, AnOpenEndIsNotAllowedItself) {
+  const ParamTable open({{.name = "share", .default_value = 0.5, .min = 0, .max = 1, .above_min = true}});
+  std::vector<Fault> faults;
+  open.resolve({}, {setting("share", "1"), setting("share", "1e-9")}, faults);
+  EXPECT_TRUE(faults.empty());
+  open.resolve({}, {setting("share", "0")}, faults);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].limit, "> 0, <= 1");
+}
+
 TEST(ParamTable, RangesIncludeTheirEnds) {
   for (const char* text : {"0", "1", "1e-3", "1."}) EXPECT_TRUE(faults_of("evaporation", text).empty()) << text;
   for (const char* text : {"-0.001", "1.001"}) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "alate/core/stream.hpp"
+#include "alate/data/scenario_file.hpp"
 #include "space/candidates.hpp"
 #include "support/fly.hpp"
 
@@ -65,6 +66,37 @@ TEST(AttitudeAco, GuidedBeatsGreedyAndThePublishedColonyOnOtherLayouts) {
       EXPECT_LT(guided.cost, published_cost);
     }
   }
+}
+
+TEST(AttitudeAco, ShippedLayoutsAreThoseOfTheTests) {
+  const std::string folder = ALATE_SOURCE_DIR "/examples/konatowski2019/";
+  for (const auto& [file, layout] :
+       {std::pair{"a.yaml", test::kLayoutA}, {"c.yaml", test::kLayoutC}, {"f.yaml", test::kLayoutF}}) {
+    const Plan shipped = fly(load_site(load_scenario(folder + file)), {});
+    const Plan built = fly(test::konatowski_site(0.5, layout), {.name = "attitude-aco"});
+    EXPECT_EQ(shipped.history.size(), built.history.size()) << file;
+    EXPECT_NEAR(shipped.cost, built.cost, 1e-9 * built.cost) << file;
+  }
+}
+
+TEST(AttitudeAco, PheromoneHelpsGoalDirectedWalks) {
+  const World world(test::konatowski_site(0.5, test::kLayoutF));
+  const auto mean = [&](const std::string& alpha) {
+    double sum = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      PlannerRequest request{.name = "attitude-aco"};
+      for (const auto& [name, text] : {std::pair<std::string, std::string>{"alpha", alpha},
+                                       {"ants", "50"},
+                                       {"spread", "1"},
+                                       {"follow", "0"},
+                                       {"first_route", "none"},
+                                       {"local_search", "none"}})
+        request.settings.push_back({.name = name, .text = text, .file = "--set"});
+      sum += fly(world, request, {.iterations = 90, .seed = seed}).cost;
+    }
+    return sum / 5;
+  };
+  EXPECT_LT(mean("1"), mean("0"));
 }
 
 TEST(AttitudeAco, HistoryTellsOfEveryIteration) {
