@@ -61,15 +61,16 @@ class Colony {
   }
 
   /// A route that is known already, for ants to follow; ignored if it may not be flown.
-  void start_from(const std::vector<std::size_t>& actions) {
+  void start_from(const std::vector<std::size_t>& actions, RunContext& run) {
     Ant ant;
     ant.actions.assign(actions.begin(), actions.end());
     const auto flight = space_.fly(ant.actions);
     if (!flight) return;
     ant.actions.resize(flight->moves);
     ant.cost = flight->cost;
-    policies_.trail.name_route(space_, ant);
     ant.costs = flight->costs;
+    policies_.local_search(space_, ant, kInfinity, run);
+    policies_.trail.name_route(space_, ant);
     best_ = std::move(ant);
   }
 

@@ -22,6 +22,7 @@
 #include "plan/attitude_plan.hpp"
 #include "plan/attitude_planners.hpp"
 #include "search/beam.hpp"
+#include "search/greedy.hpp"
 #include "space/attitude_ants.hpp"
 
 namespace alate {
@@ -96,7 +97,7 @@ class AttitudeAco {
                                            .follow = values_.number("follow"),
                                            .give_up = values_.number("give_up"),
                                            .step_backs = static_cast<std::size_t>(values_.integer("step_backs"))});
-    if (const SearchResult beam = first_beam(space, run); beam.found) colony.start_from(beam.actions);
+    if (const SearchResult first = first_route(space, run); first.found) colony.start_from(first.actions, run);
     const Ant& best = colony.run(run);
     history = colony.history();
     return {.found = best.arrived(),
@@ -106,13 +107,15 @@ class AttitudeAco {
             .candidates = colony.moves() * space.actions()};
   }
 
-  /// A few narrow passes of beam search give ants over terrain a route to follow (Beam-ACO: Blum 2005). Each counts as
-  /// an iteration.
-  SearchResult first_beam(const AttitudeAnts& space, RunContext& run) const {
+  /// A route for ants to follow: the greedy walk, and over terrain what a few narrow passes of beam search make of it
+  /// (Beam-ACO: Blum 2005). Each pass counts as an iteration.
+  SearchResult first_route(const AttitudeAnts& space, RunContext& run) const {
+    if (values_.text("first_route") == "none") return {};
+    SearchResult greedy = Greedy(space.lattice(), GreedyOptions{.max_step_backs = 500}).run(run);
     const auto passes = static_cast<std::uint64_t>(values_.integer("beam_passes"));
-    if (passes == 0 || space.prices_tails()) return {};
+    if (passes == 0 || space.in_single_precision()) return greedy;
     const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
-    return Beam(space.lattice(), options).run(run);
+    return Beam(space.lattice(), options).run(run, std::move(greedy));
   }
 
   AnyHeuristic heuristic(const AttitudeAnts& space) const {

@@ -154,8 +154,14 @@ std::vector<Parameter> trail_parameters() {
 
 std::vector<Parameter> search_parameters() {
   return {
+      {.name = "first_route",
+       .default_value = word("known"),
+       .choices = {"known", "none"},
+       .help = "What ants may follow before any has arrived: the greedy walk, improved by beam search over terrain; or "
+               "nothing.",
+       .source = "Blum 2005 (Beam-ACO)"},
       {.name = "beam_passes",
-       .default_value = whole(4),
+       .default_value = whole(6),
        .min = 0,
        .max = 10,
        .help = "Over terrain, or with limits of the aircraft: passes of beam search before the ants, for a first route "
@@ -199,7 +205,7 @@ Values published(const Values& changes = {}) {
                 {"step_backs", whole(0)},
                 {"follow", 0.0},
                 {"give_up", 0.0},
-                {"beam_passes", whole(0)}};
+                {"first_route", word("none")}};
   for (const auto& [name, value] : changes) values.insert_or_assign(name, value);
   return values;
 }

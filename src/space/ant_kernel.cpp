@@ -239,4 +239,10 @@ float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const
   return add_sums(model.tolerance, nodes, sums);
 }
 
+void measure_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
+                       Choices& nodes) {
+  place_tail(attitudes, q, ends, nodes);
+  price_goal(model, nodes);
+}
+
 }  // namespace alate

@@ -67,4 +67,8 @@ float start_tails(float cost_before, float tolerance, const Choices& ends, TailS
 float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
                     Choices& nodes, TailSums& sums);
 
+/// Only places the node, and measures how far it is from the goal.
+void measure_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
+                       Choices& nodes);
+
 }  // namespace alate

@@ -11,6 +11,11 @@ void narrow(const AlignedDoubles& from, AlignedFloats& to) {
   std::ranges::transform(from, to.begin(), [](double value) { return static_cast<float>(value); });
 }
 
+void close_padding(std::size_t count, Choices& choices) {
+  std::fill(choices.cost.begin() + static_cast<std::ptrdiff_t>(count), choices.cost.end(),
+            std::numeric_limits<float>::infinity());
+}
+
 }  // namespace
 
 AttitudeAnts::AttitudeAnts(const World& world, const AttitudeSpace& space)
@@ -32,8 +37,7 @@ void AttitudeAnts::look(const State& state, Choices& out) const {
   } else {
     look_in_double(state, out);
   }
-  std::fill(out.cost.begin() + static_cast<std::ptrdiff_t>(actions()), out.cost.end(),
-            std::numeric_limits<float>::infinity());
+  close_padding(actions(), out);
 }
 
 void AttitudeAnts::look_in_double(const State& state, Choices& out) const {
@@ -71,16 +75,53 @@ void AttitudeAnts::unroll(std::span<const std::uint32_t> actions, std::vector<Ta
   }
 }
 
-void AttitudeAnts::price_tails(const Branch& branch, std::span<const TailNode> tail, TailPrices& out) const {
+void AttitudeAnts::price_tails(const Branch& branch, TailPrices& out) const {
   const AntPose pose(branch.state.position - site_.mission.start, branch.state.attitude);
-  look(branch.state, out.ends);
+  out.ends.resize(actions());
   out.nodes.resize(actions());
+  place_choices(moves_, pose, step_m_, out.ends);
   turn_moves(moves_, pose, out.attitudes);
+  if (single_) {
+    price_nodes(branch, pose, out);
+  } else {
+    price_flights(branch, out);
+  }
+}
+
+void AttitudeAnts::price_nodes(const Branch& branch, const AntPose& pose, TailPrices& out) const {
+  price_step(nodes_, pose, out.ends);
+  close_padding(actions(), out.ends);
   float least = start_tails(static_cast<float>(branch.cost_before), nodes_.tolerance, out.ends, out.sums);
-  for (const TailNode& node : tail) {
+  for (const TailNode& node : branch.nodes) {
     if (least >= static_cast<float>(branch.limit)) break;
     least = add_tail_node(nodes_, out.attitudes, node, out.ends, out.nodes, out.sums);
   }
+}
+
+void AttitudeAnts::price_flights(const Branch& branch, TailPrices& out) const {
+  const TailNode last = branch.nodes.empty() ? TailNode{} : branch.nodes.back();
+  measure_tail_node(nodes_, out.attitudes, last, out.ends, out.nodes);
+  out.sums.total.assign(out.ends.x.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t k = 0; k < actions(); ++k)
+    if (out.nodes.to_goal[k] <= nodes_.tolerance) out.sums.total[k] = static_cast<float>(fly_tail(branch, k));
+}
+
+double AttitudeAnts::fly_tail(const Branch& branch, std::size_t choice) const {
+  constexpr double kLikely = 0.9;  // a tail that is moved a little costs about what it did
+  double later = 0;
+  for (const float cost : branch.costs) later += static_cast<double>(cost);
+  double cost = branch.cost_before;
+  State state = branch.state;
+  const double leg = step_price();
+  for (std::size_t i = 0; i <= branch.actions.size(); ++i) {
+    State ahead = next(state, i == 0 ? choice : branch.actions[i - 1]);
+    cost += space_.move_cost(state, ahead);
+    if (i > 0) later -= static_cast<double>(branch.costs[i - 1]);
+    const double bare = leg * static_cast<double>(branch.actions.size() - i);
+    if (!(cost + bare + kLikely * (later - bare) < branch.limit) || !is_free(state, ahead)) return kInfinity;
+    state = ahead;
+  }
+  return is_goal(state) ? cost : kInfinity;
 }
 
 ReachBox AttitudeAnts::reach() const {

@@ -47,21 +47,25 @@ class AttitudeAnts {
   double move_cost(const State& from, const State& to) const { return space_.move_cost(from, to); }
   double lower_bound(const State& state) const { return space_.lower_bound(state); }
 
-  /// Does price_tails know this scenario's costs?
-  bool prices_tails() const { return single_; }
+  /// Does the kernel for ants price this scenario?
+  bool in_single_precision() const { return single_; }
 
   /// Nodes of a string of actions, in body axes before it.
   void unroll(std::span<const std::uint32_t> actions, std::vector<TailNode>& nodes) const;
 
-  /// Cost of every choice at `state` followed by `tail`, until the first arrival, plus `cost_before`: in
-  /// `out.sums.total`, infinite where it does not arrive or is not below `limit`. Single precision, `is_free` not
-  /// asked.
+  /// Cost of every choice at `state` followed by a tail, until the first arrival, plus `cost_before`: in
+  /// `out.sums.total`, infinite where it does not arrive or is not below `limit`.
+  /// Under the kernel for ants `is_free` is not asked. Else every price is that of flying the tail exactly, and only
+  /// arrivals with as many moves count; tails are given up early where they cannot well be cheaper than now.
   struct Branch {
     const State& state;
     double cost_before;
     double limit;
+    std::span<const std::uint32_t> actions;  ///< The tail.
+    std::span<const TailNode> nodes;         ///< The same, unrolled.
+    std::span<const float> costs;            ///< What its moves cost now.
   };
-  void price_tails(const Branch& branch, std::span<const TailNode> tail, TailPrices& out) const;
+  void price_tails(const Branch& branch, TailPrices& out) const;
 
   /// Where a route that arrives within the step limit can lead, relative to the start: the box of the ellipsoid with
   /// start and goal as foci.
@@ -72,6 +76,9 @@ class AttitudeAnts {
   double step_price() const;
 
  private:
+  void price_nodes(const Branch& branch, const AntPose& pose, TailPrices& out) const;
+  void price_flights(const Branch& branch, TailPrices& out) const;
+  double fly_tail(const Branch& branch, std::size_t choice) const;
   void look_in_double(const State& state, Choices& out) const;
 
   const Site& site_;

@@ -91,7 +91,8 @@ TEST(AttitudeAnts, PricesOfTailsAreThoseOfFlyingThem) {
   std::vector<TailNode> tail;
   ants.unroll(std::span(actions).subspan(position + 1), tail);
   TailPrices prices;
-  ants.price_tails({state, before, 1e9}, tail, prices);
+  const std::vector<float> costs(tail.size(), 0.0F);
+  ants.price_tails({state, before, 1e9, std::span(actions).subspan(position + 1), tail, costs}, prices);
   std::size_t arrivals = 0;
   for (std::uint32_t k = 0; k < 125; ++k) {
     std::vector<std::uint32_t> changed = actions;

@@ -1,7 +1,7 @@
 // A heuristic that looks past the next node: eta = exp(-((J + h)_k - min(J + h)) / scale).
 //
-// Departure from Konatowski, Pawlowski 2019, whose (1 / J_k)^beta hardly tells choices apart far from the goal. h is the
-// guide of the space. A small scale is a greedy walk, a large one a random walk; which serves best depends on the
+// Departure from Konatowski, Pawlowski 2019, whose (1 / J_k)^beta hardly tells choices apart far from the goal. h is
+// the guide of the space. A small scale is a greedy walk, a large one a random walk; which serves best depends on the
 // scenario, so the ants of a colony have scales from the greatest to the least, in equal ratios.
 #pragma once
 

@@ -61,9 +61,14 @@ class Improver {
     return std::span(ant_.actions).subspan(position + 1);
   }
 
+  /// A choice at `position`, after `cost`, with the rest of the string behind it.
+  AttitudeAnts::Branch branch(const AttitudeState& state, double cost, std::size_t position) const {
+    return {state, cost, limit(), after(position), tail_, std::span(ant_.costs).subspan(position + 1)};
+  }
+
   bool change_one(std::size_t i) {
     space_.unroll(after(i), tail_);
-    space_.price_tails({states_[i], costs_[i], limit()}, tail_, prices_);
+    space_.price_tails(branch(states_[i], costs_[i], i), prices_);
     const Found found = best_of(prices_.sums.total);
     if (!(static_cast<double>(found.cost) < limit())) return false;
     trial_ = ant_.actions;
@@ -95,7 +100,7 @@ class Improver {
       state = ahead;
       if (space_.is_goal(state) || !(cost + space_.lower_bound(state) < limit())) return {};
     }
-    space_.price_tails({state, cost, limit()}, tail_, prices);
+    space_.price_tails(branch(state, cost, j), prices);
     return best_of(prices.sums.total);
   }
 
@@ -123,7 +128,6 @@ class Improver {
 }  // namespace
 
 bool ActionString::operator()(const AttitudeAnts& space, Ant& ant, double best_cost, RunContext& run) const {
-  if (!space.prices_tails()) return false;
   const double before = ant.cost;
   Improver improver(space, ant, run);
   for (;;) {

@@ -4,9 +4,6 @@
 // to each other, on routes that are as good as the best so far. Repeated until nothing improves. Every change is
 // confirmed by flying the whole string exactly.
 //
-// Only under the node model without limits of the aircraft, where the tails of all choices are priced at once. Over
-// terrain a changed move early in a long route leads past the goal; there ants that follow the best route do this work.
-//
 // Source: alate. Cost: a sweep over single positions takes moves^2 / 2 x choices node prices, over pairs
 // pair_distance x choices times that. Polls `run` at every position. Determinism: value a writes slot a, the best of
 // the lowest indices wins.
