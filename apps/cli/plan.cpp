@@ -61,7 +61,7 @@ void check_request(const PlannerRequest& request, FaultList& faults) {
   const PlannerEntry* entry = builtin_planners().find(request.name);
   if (request.name.empty()) return;
   if (entry == nullptr) {
-    faults.add({.file = "--planner", .value = request.name, .message = "unknown planner"});
+    faults.add(unknown_name({.file = "--planner"}, "planner", request.name, builtin_planners().names()));
     return;
   }
   std::vector<Fault> found;

@@ -75,13 +75,7 @@ std::vector<PlannerEntry> asked_for(const Text& name, FaultList& faults) {
   const Registry& registry = builtin_planners();
   if (!name) return registry.entries();
   if (const PlannerEntry* entry = registry.find(*name)) return {*entry};
-  std::vector<std::string> known;
-  known.reserve(registry.entries().size());
-  for (const PlannerEntry& each : registry.entries()) known.push_back(each.name);
-  const std::string near = nearest(*name, known);
-  faults.add({.file = "NAME",
-              .value = *name,
-              .message = near.empty() ? "unknown planner" : fmt::format("unknown planner; did you mean {}?", near)});
+  faults.add(unknown_name({.file = "NAME"}, "planner", *name, registry.names()));
   return {};
 }
 

@@ -32,7 +32,7 @@ NumberText parse_number(std::string_view text) {
   const std::string_view body = negative || text.starts_with('+') ? text.substr(1) : text;
   if (names_no_finite_number(body)) return {.problem = "must be finite"};
   if (hints_at_another_base(body)) return {.problem = "must be a decimal number without leading zeros"};
-  if (body.empty() || !(is_digit(body[0]) || body[0] == '.')) return {.problem = "must be a number"};
+  if (body.empty() || (!is_digit(body[0]) && body[0] != '.')) return {.problem = "must be a number"};
 
   double value = 0;
   const char* begin = std::to_address(body.begin());

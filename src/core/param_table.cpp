@@ -71,9 +71,7 @@ Fault unknown(const ParamSetting& setting, const std::vector<Parameter>& paramet
   std::vector<std::string> names;
   names.reserve(parameters.size());
   for (const Parameter& known : parameters) names.push_back(known.name);
-  const std::string near = nearest(setting.name, names);
-  return fault_at(setting,
-                  near.empty() ? "unknown parameter" : fmt::format("unknown parameter; did you mean {}?", near));
+  return unknown_name(fault_at(setting, ""), "parameter", setting.name, names);
 }
 
 Fault refused(const ParamSetting& setting, const Parameter& parameter, const Reading& reading) {
@@ -172,6 +170,14 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     }
   }
   return best;
+}
+
+Fault unknown_name(Fault at, std::string_view kind, const std::string& name, const std::vector<std::string>& known) {
+  const std::string near = nearest(name, known);
+  at.value = name;
+  at.limit = fmt::format("{}", fmt::join(known, " | "));
+  at.message = fmt::format("unknown {}{}", kind, near.empty() ? "" : fmt::format("; did you mean {}?", near));
+  return at;
 }
 
 }  // namespace alate

@@ -132,7 +132,7 @@ struct Lattice {
   bool project(const Projector& projector) {
     knots.clear();
     for (int j = 0; j < rows; ++j)
-      for (int i = 0; i < columns; ++i) knots.push_back(area.min + spacing_m * Vec2{i, j});
+      for (int i = 0; i < columns; ++i) knots.emplace_back(area.min + spacing_m * Vec2{i, j});
     return projector.to_posts(knots);
   }
 };
@@ -173,7 +173,7 @@ std::optional<PostMap> fit_lattice(const Box2& area, double margin_m, const Proj
   while (4 * coarse.knots.size() < kMostKnots) {
     Lattice finer = halved(coarse);
     if (!finer.project(projector)) return std::nullopt;
-    const PostMap map = coarse.map();
+    PostMap map = coarse.map();
     if (error_at(map, finer) < kLatticeError) return map;
     coarse = std::move(finer);
   }

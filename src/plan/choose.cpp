@@ -18,19 +18,9 @@ Fault scenario_fault(const Scenario& scenario, const std::string& field) {
   return fault;
 }
 
-Fault unknown(Fault fault, const std::string& what, const std::string& value, const std::vector<std::string>& known) {
-  fault.value = value;
-  fault.message = fmt::format("unknown {}", what);
-  if (const std::string near = nearest(value, known); !near.empty())
-    fault.message += fmt::format("; did you mean {}?", near);
-  for (const std::string& name : known) fault.limit += (fault.limit.empty() ? "" : " | ") + name;
-  return fault;
-}
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
+std::vector<std::string> names_of(const std::vector<Preset>& presets) {
   std::vector<std::string> names;
-  for (const Named& one : all) names.push_back(one.name);
+  for (const Preset& preset : presets) names.push_back(preset.name);
   return names;
 }
 
@@ -63,7 +53,7 @@ Choice choose_named(const Registry& registry, const Problem& problem, const Plan
   const PlannerEntry* entry = registry.find(name);
   if (entry == nullptr) {
     Fault where = by_option ? Fault{.file = "--planner"} : scenario_fault(scenario, "planner.name");
-    throw InputError(unknown(std::move(where), "planner", name, names_of(registry.entries())));
+    throw InputError(unknown_name(std::move(where), "planner", name, registry.names()));
   }
   if (std::string refusal = entry->refuses(problem); !refusal.empty()) {
     Fault fault = scenario_fault(scenario, "vehicle");
@@ -88,7 +78,7 @@ const Preset& choose_preset(const PlannerEntry& entry, const Scenario& scenario,
   if (name.empty()) return entry.presets.front();
   if (const Preset* preset = entry.find_preset(name)) return *preset;
   Fault where = by_option ? Fault{.file = "--preset"} : scenario_fault(scenario, "planner.preset");
-  faults.push_back(unknown(std::move(where), "preset of " + entry.name, name, names_of(entry.presets)));
+  faults.push_back(unknown_name(std::move(where), "preset of " + entry.name, name, names_of(entry.presets)));
   return entry.presets.front();
 }
 

@@ -22,6 +22,12 @@ const PlannerEntry* Registry::find(std::string_view name) const {
   return found == entries_.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> Registry::names() const {
+  std::vector<std::string> names;
+  for (const PlannerEntry& entry : entries_) names.push_back(entry.name);
+  return names;
+}
+
 const Registry& builtin_planners() {
   static const Registry kRegistry = [] {
     Registry registry;

@@ -80,4 +80,7 @@ class ParamTable {
 /// (`radius` and `radius_m`), else the least edit distance, up to 3 and half of the shorter word.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// `at` as the fault of naming a `kind` ("planner", "parameter") that does not exist: the nearest one is named.
+Fault unknown_name(Fault at, std::string_view kind, const std::string& name, const std::vector<std::string>& known);
+
 }  // namespace alate

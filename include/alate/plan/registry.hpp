@@ -46,6 +46,7 @@ class Registry {
   void add(PlannerEntry entry);
   const std::vector<PlannerEntry>& entries() const { return entries_; }
   const PlannerEntry* find(std::string_view name) const;
+  std::vector<std::string> names() const;
 
  private:
   std::vector<PlannerEntry> entries_;
