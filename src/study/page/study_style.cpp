@@ -23,7 +23,8 @@ h4 { font-size: .92rem; font-weight: 600; margin: 0 0 .3rem; }
 .cells td, .cells th, .claims td, .claims th { padding-right: .7rem; }
 .cells tbody tr:first-child th, .cells tbody tr:first-child td { border-top: 2px solid var(--soft); }
 .cells .winner { font-weight: 700; }
-.claims .text { min-width: 13rem; }
+.claims .num { white-space: nowrap; overflow-wrap: normal; }
+.claims .text { min-width: 12rem; }
 .claims .why { min-width: 18rem; }
 .defects { padding: 0; margin: 0; list-style: none; display: grid; gap: .8rem; }
 .defects li { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .7rem 1rem; }
