@@ -103,10 +103,14 @@ std::string gap_in_words(const Result& result) {
   return fmt::format("at most {:.1f} % above the best possible", 100 * *value);
 }
 
+std::string length_in_words(double metres) {
+  return metres < 1000 ? fmt::format("{:.0f} m", metres) : fmt::format("{:.1f} km", metres / 1000);
+}
+
 std::string summary(const Result& result) {
   if (result.plan.route.empty()) return no_route(result.plan);
   std::string text =
-      fmt::format("A route of {:.1f} km was found{}.", result.metrics.length_m / 1000, judgement(result.verdict));
+      fmt::format("A route of {} was found{}.", length_in_words(result.metrics.length_m), judgement(result.verdict));
   if (result.verdict.ok() && gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
   return text;
 }

@@ -30,4 +30,7 @@ std::vector<std::string> all_warnings(const Result& result);
 /// "at most 10.5 % above the best possible", or why that cannot be said.
 std::string gap_in_words(const Result& result);
 
+/// "812 m", "26.7 km".
+std::string length_in_words(double metres);
+
 }  // namespace alate

@@ -52,8 +52,9 @@ Scale height_scale(const Band& band, const Samples& samples) {
 struct Drawing {
   Svg& svg;
   Axes axes;
+  double unit_m;  ///< Of the x axis: 1 or 1000.
 
-  Vec2 at(double along_m, double height_m) const { return {axes.x(along_m / 1000), axes.y(height_m)}; }
+  Vec2 at(double along_m, double height_m) const { return {axes.x(along_m / unit_m), axes.y(height_m)}; }
 };
 
 /// Calls `draw(begin, end)` for every run of samples with known ground.
@@ -172,14 +173,17 @@ std::string profile_figure(const Result& result) {
   const Site& site = result.site;
   if (result.plan.route.states.size() < 2) return {};
   const Samples samples = sample_profile(site, result.plan.route, kSamples);
-  const double length_km = std::max(samples.back().along_m / 1000, 1e-3);
+  const double length_m = std::max(samples.back().along_m, 1.0);
+  const bool in_km = length_m >= 2000;
+  const double unit_m = in_km ? 1000 : 1;
   Svg svg(kWidth, kHeight, "Height of the route and of the ground below it");
   const Drawing drawing{svg,
                         {.area = kArea,
-                         .x = {0, length_km, kArea.corner.x(), kArea.corner.x() + kArea.size.x()},
+                         .x = {0, length_m / unit_m, kArea.corner.x(), kArea.corner.x() + kArea.size.x()},
                          .y = height_scale(site.band, samples),
-                         .x_title = "Distance flown, km",
-                         .y_title = "Height above sea level, m"}};
+                         .x_title = in_km ? "Distance flown, km" : "Distance flown, m",
+                         .y_title = "Height above sea level, m"},
+                        unit_m};
   const auto spans = threat_spans(site, samples);
   draw_axes(svg, drawing.axes);
   svg.begin_clip(kArea.corner, kArea.size);
@@ -194,7 +198,7 @@ std::string profile_figure(const Result& result) {
   if (lowest) draw_lowest(drawing, *lowest);
   svg.end_clip();
   const Scale& y = drawing.axes.y;
-  const double exaggeration = kArea.size.y() / (y.to - y.from) / (kArea.size.x() / (1000 * length_km));
+  const double exaggeration = kArea.size.y() / (y.to - y.from) / (kArea.size.x() / length_m);
   const bool unknown = std::ranges::any_of(samples, [](const ProfileSample& s) { return !s.ground_m; });
   return fmt::format("<figure>\n{}{}</figure>\n", svg.str(),
                      legend({.site = site,

@@ -6,6 +6,7 @@
 
 #include "alate/data/scenario_file.hpp"
 #include "out/notes.hpp"
+#include "out/report/history_view.hpp"
 #include "out/report/map_view.hpp"
 #include "out/report/page.hpp"
 #include "out/report/profile_view.hpp"
@@ -39,7 +40,7 @@ std::string fact(const std::string& value, const std::string& name) {
 
 std::string facts(const Result& result) {
   const Metrics& metrics = result.metrics;
-  std::string items = fact(fmt::format("{:.1f} km", metrics.length_m / 1000), "length");
+  std::string items = fact(length_in_words(metrics.length_m), "length");
   if (metrics.min_clearance_m) {
     const double asked = result.site.band.clearance_m;
     items += fact(fmt::format("{:.0f} m", *metrics.min_clearance_m),
@@ -82,6 +83,7 @@ std::string body(const Result& result) {
   html += page_section("Map", map_figure(result));
   html += page_section("Height along the way", profile_figure(result));
   if (found) html += page_section("What was checked", rules_table(result));
+  html += page_section("How the ants went", history_figure(result.plan.history));
   html += page_section("Numbers", numbers_table(result));
   html += page_section("To know before flying", warning_list(result));
   html += page_section("How it was made", settings_table(result) + scenario_text(result.site.scenario));

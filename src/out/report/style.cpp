@@ -54,6 +54,9 @@ figure > svg { background: var(--card); border: 1px solid var(--rule); }
 .s-broken { background: linear-gradient(45deg, transparent 43%, var(--fail) 43% 57%, transparent 57%),
   linear-gradient(-45deg, transparent 43%, var(--fail) 43% 57%, transparent 57%); width: .9rem; }
 .s-ground { background: var(--ground); }
+.s-best { height: 0; border-top: 2px solid var(--pass); border-radius: 0; }
+.s-ants-mean { height: 0; border-top: 2px dashed var(--ink); border-radius: 0; }
+.s-worst { height: 0; border-top: 2px dotted var(--threat); border-radius: 0; }
 .s-band { background: var(--band); border: 1.5px dashed var(--limit); }
 .s-unknown { background: repeating-linear-gradient(135deg, var(--void) 0 4px, #8b8f95 4px 6px); }
 .tint { padding: 0 .4rem; color: #1c2126; font-size: .78rem; font-variant-numeric: tabular-nums; }
@@ -81,6 +84,10 @@ svg .tolerance { fill: none; stroke: var(--ink); stroke-width: 1.6; stroke-dasha
 svg .plate { fill: var(--card); opacity: .78; }
 svg .scale { stroke: var(--ink); stroke-width: 2.4; }
 svg .north { fill: var(--ink); }
+svg .ants { fill: none; stroke-width: 2; stroke-linejoin: round; }
+svg .ants.best { stroke: var(--pass); }
+svg .ants.mean { stroke: var(--ink); stroke-dasharray: 7 5; }
+svg .ants.worst { stroke: var(--threat); stroke-dasharray: 2 4; }
 svg .ground { fill: var(--ground); stroke: var(--ground-edge); stroke-width: 1.5; }
 svg .band { fill: var(--band); }
 svg .limit { fill: none; stroke: var(--limit); stroke-width: 1.5; stroke-dasharray: 6 4; }
