@@ -1,5 +1,7 @@
 #include "plan/attitude_aco_parameters.hpp"
 
+#include "plan/attitude_plan.hpp"
+
 namespace alate {
 
 namespace {
@@ -23,12 +25,7 @@ std::vector<Parameter> walk_parameters() {
        .max = 1e9,
        .help = "Iterations where neither a budget nor a time limit is given.",
        .source = "konatowski2019: 180, section 4"},
-      {.name = "step_limit",
-       .default_value = whole(0),
-       .min = 0,
-       .max = 1e6,
-       .help = "Longest route in steps; 0: 3.4 times the direct distance (40 in the paper's case).",
-       .source = "alate: the paper leaves it open"},
+      step_limit_parameter(),
       {.name = "heuristic",
        .default_value = word("goal-directed"),
        .choices = {"goal-directed", "1/J"},

@@ -78,6 +78,15 @@ std::string attitude_refusal(const Problem& problem) {
                      missing);
 }
 
+Parameter step_limit_parameter() {
+  return {.name = "step_limit",
+          .default_value = std::int64_t{0},
+          .min = 0,
+          .max = 1e5,
+          .help = "Longest route in steps; 0: 3.4 times the direct distance (40 in the paper's case).",
+          .source = "alate: Konatowski, Pawlowski 2019 leave it open"};
+}
+
 Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step_limit,
                        const std::function<SearchResult(const AttitudeSpace&)>& search) {
   Plan plan{.seed = run.seed()};

@@ -36,12 +36,7 @@ std::vector<Parameter> parameters() {
        .max = 65536,
        .help = "Widest pass; never more than fits 4 million candidates (100 MB).",
        .source = "alate"},
-      {.name = "step_limit",
-       .default_value = std::int64_t{0},
-       .min = 0,
-       .max = 1e5,
-       .help = "Longest route in steps; 0: 3.4 times the direct distance.",
-       .source = "alate"},
+      step_limit_parameter(),
   };
 }
 

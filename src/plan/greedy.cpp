@@ -28,12 +28,7 @@ std::vector<Parameter> parameters() {
        .help = "What the next leg is chosen by: its cost J alone, or J and the estimated cost from there to the goal. "
                "J alone knows of the goal only in the konatowski2019 model.",
        .source = "Konatowski, Pawlowski 2019, eq. (33); h: alate"},
-      {.name = "step_limit",
-       .default_value = std::int64_t{0},
-       .min = 0,
-       .max = 1e5,
-       .help = "Longest route in steps; 0: 3.4 times the direct distance.",
-       .source = "alate"},
+      step_limit_parameter(),
       {.name = "step_backs",
        .default_value = std::int64_t{20000},
        .min = 0,

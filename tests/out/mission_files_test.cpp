@@ -12,10 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 using test::Flight;
-
-RouteToWrite to_write(const Flight& flight) {
-  return {flight.result, route_points(flight.site, flight.result.plan.route)};
-}
+using test::to_write;
 
 TEST(RoutePlan, IsTakenByQGroundControl) {
   Flight flight;

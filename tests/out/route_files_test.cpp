@@ -15,10 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 using test::Flight;
-
-RouteToWrite to_write(const Flight& flight) {
-  return {flight.result, route_points(flight.site, flight.result.plan.route)};
-}
+using test::to_write;
 
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> cells{""};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "alate/out/result.hpp"
+#include "out/route_files.hpp"
 
 namespace alate::test {
 
@@ -86,6 +87,10 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+inline RouteToWrite to_write(const Flight& flight) {
+  return {flight.result, route_points(flight.site, flight.result.plan.route)};
+}
 
 inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
