@@ -1,4 +1,5 @@
-// How hot loops are compiled: for x86-64 and x86-64-v3, picked at start. Contraction is off, so both give the same bits.
+// How hot loops are compiled: for x86-64 and x86-64-v3, picked at start. Contraction is off, so both give the same
+// bits.
 #pragma once
 
 // Sanitizers instrument the resolver that picks a version before they are set up, so they get one version only.

@@ -24,7 +24,7 @@ struct Parameter {
   ParamValue default_value;
   double min = 0;  ///< Numbers only; both ends allowed.
   double max = 0;
-  bool above_min = false;  ///< `min` itself is not allowed.
+  bool above_min = false;            ///< `min` itself is not allowed.
   std::vector<std::string> choices;  ///< Text only.
   std::string help;
   std::string source;  ///< Paper and equation, or "alate".

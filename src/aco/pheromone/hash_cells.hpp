@@ -1,9 +1,9 @@
 // Trail cells in a hash table: for boxes too large for a grid, and for exact points (cells of 1e-4 units).
 //
-// Departure from eq. (35), which compares real coordinates without saying how: points are the same that round to the same
-// 1e-4. They are known to 4e-6 at 40 units (single precision), so that a few in a hundred fall to a neighbour.
-// A place is named by 64 mixed bits of its three rounded coordinates; two of a million places share a name with a
-// chance of 3e-8. Only changed as a whole, each place alone, so the order of entry does not show.
+// Departure from eq. (35), which compares real coordinates without saying how: points are the same that round to the
+// same 1e-4. They are known to 4e-6 at 40 units (single precision), so that a few in a hundred fall to a neighbour. A
+// place is named by 64 mixed bits of its three rounded coordinates; two of a million places share a name with a chance
+// of 3e-8. Only changed as a whole, each place alone, so the order of entry does not show.
 #pragma once
 
 #include <cmath>

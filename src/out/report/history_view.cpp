@@ -16,6 +16,7 @@ namespace {
 constexpr double kWidth = 960;
 constexpr double kCostHeight = 340;
 constexpr double kShareHeight = 220;
+constexpr double kMargins = 106;  ///< Above and below a diagram.
 
 using History = std::vector<IterationStats>;
 using Pick = std::function<std::optional<double>(const IterationStats&)>;
@@ -79,9 +80,9 @@ void draw_series(Svg& svg, const Axes& axes, const History& history, const Serie
   finish();
 }
 
-std::string diagram(const History& history, const Axes& axes, const std::vector<Series>& lines, double height,
+std::string diagram(const History& history, const Axes& axes, const std::vector<Series>& lines,
                     std::string_view title) {
-  Svg svg(kWidth, height, title);
+  Svg svg(kWidth, axes.area.size.y() + kMargins, title);
   draw_axes(svg, axes);
   svg.begin_clip(axes.area.corner, axes.area.size);
   for (const Series& series : lines) draw_series(svg, axes, history, series);
@@ -93,7 +94,7 @@ std::string diagram(const History& history, const Axes& axes, const std::vector<
 }
 
 Axes axes_over(const History& history, double height) {
-  Axes axes{.area = {.corner = {76, 44}, .size = {kWidth - 100, height - 106}}};
+  Axes axes{.area = {.corner = {76, 44}, .size = {kWidth - 100, height - kMargins}}};
   const double left = axes.area.corner.x();
   axes.x = {1, std::max(2.0, static_cast<double>(history.size())), left, left + axes.area.size.x()};
   axes.x_title = "Iteration";
@@ -110,8 +111,8 @@ std::string history_figure(const std::vector<IterationStats>& history) {
   Axes shares = axes_over(history, kShareHeight);
   shares.y = {0, 100, shares.area.corner.y() + shares.area.size.y(), shares.area.corner.y()};
   shares.y_title = "Share, %";
-  return diagram(history, costs, cost_series(), kCostHeight, "Cost of the ants' routes by iteration") +
-         diagram(history, shares, share_series(), kShareHeight, "Ants that arrived and trails met, by iteration");
+  return diagram(history, costs, cost_series(), "Cost of the ants' routes by iteration") +
+         diagram(history, shares, share_series(), "Ants that arrived and trails met, by iteration");
 }
 
 }  // namespace alate
