@@ -107,13 +107,18 @@ class AttitudeAco {
             .candidates = colony.moves() * space.actions()};
   }
 
-  /// A route for ants to follow: the greedy walk, and over terrain what a few narrow passes of beam search make of it
+  /// A route for ants to follow: in the node model, whose costs know of the goal, the cheaper of the greedy walks by J
+  /// and by J + h; elsewhere the walk by J + h, and what a few narrow passes of beam search make of it
   /// (Beam-ACO: Blum 2005). Each pass counts as an iteration.
   SearchResult first_route(const AttitudeAnts& space, RunContext& run) const {
     if (values_.text("first_route") == "none") return {};
     SearchResult greedy = Greedy(space.lattice(), GreedyOptions{.max_step_backs = 500}).run(run);
+    if (space.in_single_precision()) {
+      SearchResult by_cost = Greedy(space.lattice(), {.use_guide = false, .max_step_backs = 500}).run(run);
+      return by_cost.cost < greedy.cost ? by_cost : greedy;
+    }
     const auto passes = static_cast<std::uint64_t>(values_.integer("beam_passes"));
-    if (passes == 0 || space.in_single_precision()) return greedy;
+    if (passes == 0) return greedy;
     const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
     return Beam(space.lattice(), options).run(run, std::move(greedy));
   }
