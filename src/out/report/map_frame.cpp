@@ -25,7 +25,7 @@ bool overlaps(const Box2& box, const Threat& threat) {
 }
 
 /// Grows the shorter side, half at each end, until the proportions are pleasant.
-Box2 proportioned(Box2 box) {
+Box2 proportioned(const Box2& box) {
   const Vec2 size = (box.max - box.min).cwiseMax(kLeastSize);
   const Vec2 center = (box.min + box.max) / 2;
   const Vec2 wanted{std::max(size.x(), size.y() / kTallest), std::max(size.y(), size.x() * kFlattest)};

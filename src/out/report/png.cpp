@@ -15,9 +15,9 @@ void append(png_structp png, png_bytep data, png_size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
-[[noreturn]] void fail(png_structp, png_const_charp message) { throw std::runtime_error(message); }
+[[noreturn]] void fail(png_structp /*png*/, png_const_charp message) { throw std::runtime_error(message); }
 
-void flush(png_structp) {}
+void flush(png_structp /*png*/) {}
 
 /// Frees libpng's two structures, also when `fail` throws through it.
 struct Writer {

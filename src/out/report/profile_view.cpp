@@ -52,7 +52,7 @@ Scale height_scale(const Band& band, const Samples& samples) {
 struct Drawing {
   Svg& svg;
   Axes axes;
-  double unit_m;  ///< Of the x axis: 1 or 1000.
+  double unit_m = 1;  ///< Of the x axis: 1 or 1000.
 
   Vec2 at(double along_m, double height_m) const { return {axes.x(along_m / unit_m), axes.y(height_m)}; }
 };
