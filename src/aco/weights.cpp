@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "space/simd.hpp"
 
@@ -23,8 +24,8 @@ std::size_t whole(const AlignedFloats& array) { return array.size() & ~(kLanes -
 /// exp(x) for x <= 0, to 3e-7 relative: 2^n times a polynomial (Taylor, degree 6) in the rest. No less than 1e-26. The
 /// C library's expf does not vectorise, and differs between libraries.
 inline float exp_of_negative(float x) {
-  constexpr float kLog2e = 1.44269504F;
-  constexpr float kLn2 = 0.693147181F;
+  constexpr float kLog2e = std::numbers::log2e_v<float>;
+  constexpr float kLn2 = std::numbers::ln2_v<float>;
   const float clamped = x > -60.0F ? x : -60.0F;
   const float turns = clamped * kLog2e;
   const int whole_turns = static_cast<int>(turns - 0.5F);

@@ -9,14 +9,8 @@
 namespace alate {
 namespace {
 
+using Case = test::LayoutCase;
 using test::fly;
-
-struct Case {
-  const char* name;
-  const std::vector<test::Sphere>& layout;
-  double fuel;
-  double best_known;
-};
 
 class Guided : public testing::TestWithParam<Case> {};
 

@@ -6,14 +6,8 @@
 namespace alate {
 namespace {
 
+using Case = test::LayoutCase;
 using test::fly;
-
-struct Case {
-  const char* name;
-  const std::vector<test::Sphere>& layout;
-  double fuel;
-  double best_known;
-};
 
 class Konatowski : public testing::TestWithParam<Case> {};
 

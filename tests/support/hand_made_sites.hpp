@@ -91,4 +91,12 @@ inline Site open_air_site() {
   return site;
 }
 
+/// One cell of the paper's tables on one of our layouts.
+struct LayoutCase {
+  const char* name;
+  const std::vector<Sphere>& layout;
+  double fuel;
+  double best_known;
+};
+
 }  // namespace alate::test

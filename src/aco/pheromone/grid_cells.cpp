@@ -38,10 +38,10 @@ std::optional<GridCells> GridCells::over(const ReachBox& box, float cell_m) {
 
 ALATE_SIMD void GridCells::name(Choices& choices) const {
   const std::size_t count = choices.key.size() & ~std::size_t{15};
-  const float* __restrict x = static_cast<const float*>(__builtin_assume_aligned(choices.x.data(), kSimdBytes));
-  const float* __restrict y = static_cast<const float*>(__builtin_assume_aligned(choices.y.data(), kSimdBytes));
-  const float* __restrict z = static_cast<const float*>(__builtin_assume_aligned(choices.z.data(), kSimdBytes));
-  TrailKey* __restrict key = static_cast<TrailKey*>(__builtin_assume_aligned(choices.key.data(), kSimdBytes));
+  const auto* __restrict x = static_cast<const float*>(__builtin_assume_aligned(choices.x.data(), kSimdBytes));
+  const auto* __restrict y = static_cast<const float*>(__builtin_assume_aligned(choices.y.data(), kSimdBytes));
+  const auto* __restrict z = static_cast<const float*>(__builtin_assume_aligned(choices.z.data(), kSimdBytes));
+  auto* __restrict key = static_cast<TrailKey*>(__builtin_assume_aligned(choices.key.data(), kSimdBytes));
   const Axis ax = x_;
   const Axis ay = y_;
   const Axis az = z_;
