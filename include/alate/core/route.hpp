@@ -12,11 +12,19 @@ enum class LegKind { start, straight, arc, climb };
 
 const char* to_string(LegKind kind);
 
-/// A level or climbing turn at constant radius.
+/// The plane of a turn that is neither level nor a helix.
+struct ArcPlane {
+  double center_z_m = 0;
+  Vec3 normal;  ///< Unit; seen against it the turn is counter-clockwise.
+};
+
+/// A turn at constant radius: level, or climbing evenly about an upright axis; with `plane`, a circle in a tilted
+/// plane.
 struct Arc {
   Vec2 center;
   double radius_m = 0;
-  double angle_rad = 0;  ///< Signed, clockwise (to the right) positive.
+  double angle_rad = 0;  ///< Signed, clockwise (to the right) positive; with `plane` the whole angle, positive.
+  std::optional<ArcPlane> plane;  ///< The height changes along such a circle as the circle does.
 };
 
 /// One move on the attitude lattice, rotations about the body axes in the order of use.

@@ -123,6 +123,45 @@ struct ObjectiveSpec {
   bool operator==(const ObjectiveSpec&) const = default;
 };
 
+/// What a correction point resets, or which end of the flight it is (Zhou et al. 2020).
+enum class PointKind { start, end, vertical, horizontal };
+
+enum class TurnModel {
+  none,         ///< Straight legs.
+  arc_tangent,  ///< Each leg turns on a circle until it heads for the next point, then is straight.
+  free_heading  ///< Each leg is arc, straight, arc; headings at the points are free.
+};
+
+/// One point of an inline list. Its id is `id`, or its place in the list from 0.
+struct CorrectionPointSpec {
+  std::optional<int> id;
+  std::optional<std::array<double, 3>> position_m;
+  std::optional<double> lat_deg;
+  std::optional<double> lon_deg;
+  std::optional<double> amsl_m;
+  PointKind kind = PointKind::vertical;
+  bool may_fail = false;
+
+  bool operator==(const CorrectionPointSpec&) const = default;
+};
+
+/// Navigation error that grows as the aircraft flies and is reset at correction points. Errors in units.
+struct NavigationSpec {
+  std::string points_file;  ///< CSV, already resolved against the scenario's folder; empty if points are listed.
+  std::vector<CorrectionPointSpec> points;
+  double drift_vertical_per_m = 0.001;
+  double drift_horizontal_per_m = 0.001;
+  std::array<double, 2> alpha{};  ///< Most vertical, horizontal error on arrival at a vertical point.
+  std::array<double, 2> beta{};   ///< Most vertical, horizontal error on arrival at a horizontal point.
+  double theta = 0;               ///< At the goal both errors must be below it.
+  double success = 0.8;           ///< Chance that a correction works at a point that may fail.
+  double residual = 5;            ///< A failed correction leaves min(error, residual).
+  std::optional<double> turn_radius_m;
+  TurnModel turn_model = TurnModel::none;
+
+  bool operator==(const NavigationSpec&) const = default;
+};
+
 /// Planner as named in the file; parameter values stay text until the planner's ParamTable reads them.
 struct PlannerSpec {
   std::string name;
@@ -147,6 +186,7 @@ struct Scenario {
   VehicleSpec vehicle;
   std::vector<ThreatSpec> threats;
   ObjectiveSpec objective;
+  std::optional<NavigationSpec> navigation;
   std::optional<PlannerSpec> planner;
 
   std::string file;                    ///< As the user named it; "-" for standard input. Not compared.

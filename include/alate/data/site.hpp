@@ -58,6 +58,34 @@ struct Vehicle {
   bool has_attitude_steps() const;
 };
 
+/// Where a navigation error is reset, in the frame.
+struct CorrectionPoint {
+  int id = 0;  ///< As the user numbers it.
+  Vec3 position = Vec3::Zero();
+  PointKind kind = PointKind::vertical;  ///< vertical or horizontal.
+  double success = 1;                    ///< Chance that the correction works, each time and independently.
+};
+
+/// Drift and reset of the navigation error (Zhou et al. 2020, problems 1 to 3). Errors in units. Both are 0 at the
+/// start and grow with the length flown. A point may be used only if the errors on arrival keep its limits.
+struct Navigation {
+  struct Limits {
+    double vertical = 0;
+    double horizontal = 0;
+  };
+  std::vector<CorrectionPoint> points;  ///< In the order of the file; neither start nor goal.
+  double drift_vertical = 0;            ///< Units a metre.
+  double drift_horizontal = 0;
+  Limits at_vertical;    ///< alpha1, alpha2: at most.
+  Limits at_horizontal;  ///< beta1, beta2: at most.
+  double theta = 0;      ///< At the goal: below.
+  double residual = 0;   ///< A failed correction leaves min(error, residual).
+  TurnModel turn_model = TurnModel::none;
+  double turn_radius_m = 0;  ///< 0: none.
+  int start_id = 0;          ///< Ids of the ends as the points file has them.
+  int goal_id = 0;
+};
+
 struct Site {
   Scenario scenario;
   Frame frame = Frame::local();
@@ -66,6 +94,7 @@ struct Site {
   Mission mission;
   Vehicle vehicle;
   std::vector<Threat> threats;
+  std::optional<Navigation> navigation;
   std::vector<std::string> warnings;
 
   bool has_ground() const { return !std::holds_alternative<std::monostate>(ground); }

@@ -17,12 +17,17 @@ enum class Outcome { optimal, feasible, infeasible_proven, none_found };
 
 const char* to_string(Outcome outcome);
 
+/// Which point of a front becomes the route.
+enum class Preference { length, corrections, probability };
+
 /// Borrowed view of what is to be solved.
 struct Problem {
   const World& world;
   const Vehicle& vehicle;
   const Mission& mission;
   const ObjectiveSpec& objective;
+  Preference prefer = Preference::length;
+  bool front = false;  ///< The whole Pareto front is asked for, where a planner knows it.
 
   explicit Problem(const World& w)
       : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
@@ -38,6 +43,14 @@ struct IterationStats {
   double known = 0;    ///< Share of moves onto a trail that an earlier iteration had left, 0 to 1.
 };
 
+/// One route of a Pareto front of length, corrections and chance of success.
+struct FrontPoint {
+  double length_m = 0;
+  int corrections = 0;
+  double probability = 1;
+  std::vector<int> points;  ///< Ids of the correction points in order, without start and goal.
+};
+
 /// What came out.
 struct Plan {
   Outcome outcome = Outcome::none_found;
@@ -49,6 +62,7 @@ struct Plan {
   bool reproducible = true;                       ///< False after a deadline or a cancel.
   std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
   std::vector<IterationStats> history;            ///< Colonies only, one entry an iteration.
+  std::vector<FrontPoint> front;                  ///< If asked for; by corrections, then length.
   std::string why;                                ///< Without a route: what stands in the way, and where.
 };
 
