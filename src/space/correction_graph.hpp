@@ -1,0 +1,117 @@
+// Correction points as all planners on them share them: structure of arrays, a grid to find neighbours by, reduced
+// legs.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "alate/world/world.hpp"
+#include "space/navigation_error.hpp"
+
+namespace alate {
+
+/// Points with start and goal, indexed 0 to size() - 1: first those that reset the vertical error, then those that
+/// reset the horizontal one, each sorted by cells of a grid; then the start, then the goal. Arcs are found on demand.
+class CorrectionGraph {
+ public:
+  using Node = std::uint32_t;
+
+  /// The site must have navigation. The world must outlive the graph.
+  explicit CorrectionGraph(const World& world);
+  /// Without any obstacle.
+  CorrectionGraph(const Navigation& navigation, const Vec3& start, const Vec3& goal);
+
+  /// Only the points inside the ellipsoid |start p| + |p goal| <= `length_m`. No route up to this length uses others.
+  CorrectionGraph within(double length_m) const;
+
+  std::size_t size() const { return x_.size(); }
+  Node point_count() const { return static_cast<Node>(x_.size() - 2); }
+  Node start() const { return point_count(); }
+  Node goal() const { return point_count() + 1; }
+
+  Vec3 position(Node i) const { return {x_[i], y_[i], z_[i]}; }
+  /// Vertical or horizontal; the start counts as vertical, the goal as end.
+  PointKind kind(Node i) const { return i == goal() ? PointKind::end : kind_of_point(i); }
+  /// Id as the user numbers it.
+  int id(Node i) const { return id_[i]; }
+  double success(Node i) const { return success_[i]; }
+  /// May any correction fail?
+  bool unreliable() const { return unreliable_; }
+
+  double length(Node i, Node j) const {
+    const double x = x_[j] - x_[i];
+    const double y = y_[j] - y_[i];
+    const double z = z_[j] - z_[i];
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  /// Is the straight leg flown free of ground, ceilings and cores, and within the climb limits? Always, at no cost,
+  /// where the site has none of these.
+  bool is_free(Node i, Node j) const { return world_ == nullptr || leg_is_free(i, j); }
+
+  const Navigation& limits() const { return limits_; }
+  const ReducedLeg& leg(PointKind from, PointKind to) const {
+    return legs_[from == PointKind::horizontal ? 1 : 0][to == PointKind::vertical     ? 0
+                                                        : to == PointKind::horizontal ? 1
+                                                                                      : 2];
+  }
+  const ReducedLeg& leg(Node i, Node j) const { return leg(kind(i), kind(j)); }
+
+  /// Calls visit(first, last) with ranges of indices that hold all points of `kind` (vertical or horizontal) within
+  /// `radius_m` of `i`, seen from above, in ascending order; they also hold others.
+  template <class Visit>
+  void near(Node i, PointKind kind, double radius_m, Visit&& visit) const {
+    const Grid& grid = grids_[kind == PointKind::horizontal ? 1 : 0];
+    if (!(radius_m >= 0) || grid.columns == 0) return;
+    const double x = x_[i] - grid.min.x();
+    const double y = y_[i] - grid.min.y();
+    const int last_row = grid.row(y + radius_m);
+    for (int row = grid.row(y - radius_m); row <= last_row; ++row) {
+      const double away = std::max({0.0, row * grid.cell_m - y, y - (row + 1) * grid.cell_m});
+      const double chord = std::sqrt(std::max(0.0, radius_m * radius_m - away * away));
+      const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
+      const Node first = grid.first[at + static_cast<std::size_t>(grid.column(x - chord))];
+      const Node last = grid.first[at + static_cast<std::size_t>(grid.column(x + chord)) + 1];
+      if (first < last) visit(first, last);
+    }
+  }
+
+ private:
+  /// Cells of one kind of points, row by row: the points of cell c are first[c] to first[c + 1] - 1.
+  struct Grid {
+    Vec2 min = Vec2::Zero();
+    double cell_m = 1;
+    int columns = 0;
+    int rows = 0;
+    std::vector<Node> first;
+
+    int column(double x) const { return std::clamp(whole(x), 0, columns - 1); }
+    int row(double y) const { return std::clamp(whole(y), 0, rows - 1); }
+    int whole(double v) const { return static_cast<int>(std::clamp(std::floor(v / cell_m), -1.0, 1e9)); }
+  };
+
+  CorrectionGraph(const Navigation& limits, const World* world) : limits_(limits), world_(world) {}
+  PointKind kind_of_point(Node i) const {
+    return i < vertical_count_ || i == start() ? PointKind::vertical : PointKind::horizontal;
+  }
+  void fill(std::span<const CorrectionPoint> points, const Vec3& start, const Vec3& goal);
+  void add(const CorrectionPoint& point);
+  void add_kind(std::span<const CorrectionPoint> points, PointKind kind);
+  bool leg_is_free(Node i, Node j) const;
+
+  Navigation limits_;             ///< Without its points.
+  const World* world_ = nullptr;  ///< Null where nothing stands in the way.
+  std::array<std::array<ReducedLeg, 3>, 2> legs_;
+  std::array<Grid, 2> grids_;
+  Node vertical_count_ = 0;
+  bool unreliable_ = false;
+  std::vector<double> x_, y_, z_;
+  std::vector<double> success_;
+  std::vector<int> id_;
+};
+
+}  // namespace alate
