@@ -49,9 +49,9 @@ std::vector<Segment> legs_of(double length_m) {
 }
 
 double sampled(const World& world, const Segment& leg) {
-  constexpr double kStep_m = 5;
+  constexpr double kStepMetres = 5;
   const auto& raster = std::get<HeightRaster>(world.site().ground);
-  const int steps = static_cast<int>(std::ceil(leg.length() / kStep_m));
+  const int steps = static_cast<int>(std::ceil(leg.length() / kStepMetres));
   double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
     const Vec3 at = leg.at(static_cast<double>(i) / steps);

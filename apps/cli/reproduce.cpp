@@ -32,7 +32,11 @@ void write(const Reproduction& result, const ReproduceLine& line) {
 int reproduce_paper(const ReproduceLine& line, FaultList faults) {
   const Interrupt interrupt;  // Before any other thread.
   const std::string paper = read_required("PAPER", line.paper, faults);
-  if (!paper.empty()) faults.collect([&] { return require_reproducible(paper); });
+  if (!paper.empty())
+    faults.collect([&] {
+      require_reproducible(paper);
+      return true;
+    });
   ProgressBar bar;
   ReproduceOptions options{.stop = interrupt.token(), .on_progress = [&bar](const Progress& p) { bar.draw(p); }};
   options.seeds = read_whole("--seeds", line.seeds, {.min = 1, .max = 1000}, faults).value_or(options.seeds);

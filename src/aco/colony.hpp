@@ -127,7 +127,7 @@ class Colony {
   /// Would the ant, as far as the guide knows, be much dearer than the best so far?
   bool is_hopeless(const Ant& ant) const {
     if (!best_.arrived() || options_.give_up == 0) return false;
-    const double ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
+    const auto ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
     return cost_of(ant) + ahead > best_.cost * (1 + options_.give_up);
   }
 

@@ -31,7 +31,7 @@ inline float exp_of_negative(float x) {
   const int whole_turns = static_cast<int>(turns - 0.5F);
   const float r = (turns - static_cast<float>(whole_turns)) * kLn2;
   const float p = 1 + r * (1 + r * (0.5F + r * (1.0F / 6 + r * (1.0F / 24 + r * (1.0F / 120 + r * (1.0F / 720))))));
-  const float power = std::bit_cast<float>((whole_turns + 127) << 23);
+  const auto power = std::bit_cast<float>((whole_turns + 127) << 23);
   return p * power;
 }
 
@@ -51,7 +51,7 @@ ALATE_SIMD float least_estimate(const Choices& choices) {
   const float* __restrict cost = aligned(choices.cost);
   const float* __restrict guide = aligned(choices.guide);
   const std::size_t count = whole(choices.cost);
-  std::int32_t least = std::bit_cast<std::int32_t>(kNever);
+  auto least = std::bit_cast<std::int32_t>(kNever);
   for (std::size_t k = 0; k < count; ++k) {
     const auto estimate = std::bit_cast<std::int32_t>(cost[k] + guide[k]);
     least = estimate < least ? estimate : least;

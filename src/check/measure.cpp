@@ -52,10 +52,10 @@ Metrics measure(const Site& site, const Route& route) {
   const bool nodes_only = site.scenario.objective.model == CostModel::konatowski2019;
   for (std::size_t i = 1; i < route.states.size(); ++i) {
     const Vec3& at = route.states[i].position;
-    const double rise = at.z() - route.states[i - 1].position.z();
+    const Rise rise = rise_of_leg(route, i);
     metrics.length_m += length_of_leg(route, i);
-    metrics.climb_m += std::max(0.0, rise);
-    metrics.descent_m += std::max(0.0, -rise);
+    metrics.climb_m += rise.up_m;
+    metrics.descent_m += rise.down_m;
     for (const Threat& threat : site.threats) {
       metrics.threat += nodes_only ? point_exposure(threat, at) : exposure(threat, route, i);
     }

@@ -20,6 +20,8 @@ RuleReport judge_threat_core(const Flight& flight);
 /// both, and a leg gives half of itself to each of its ends. Legs without planar length are passed over. The
 /// start's heading, if given, takes room of the first leg alone. An arc has its own radius and gives no room: a
 /// change of heading where it joins, or a gap there, counts as radius 0. Without any turn the radius is 1e9 m.
+/// Headings and lengths are those in the plane; in space where the turn radius is the navigation's (Zhou et al. 2020,
+/// problem 2), and on routes with an arc in a tilted plane.
 RuleReport judge_turn(const Flight& flight);
 
 /// Angle of each leg to the horizontal.

@@ -53,7 +53,7 @@ Line line_of(const OGRLineString& geometry, const std::string& altitude_mode) {
   Line line{.places = {}, .altitude_mode = altitude_mode};
   for (const OGRPoint& point : geometry) {
     GivenPlace place{.lat_deg = point.getY(), .lon_deg = point.getX()};
-    if (geometry.Is3D()) place.amsl_m = point.getZ();
+    if (geometry.Is3D() != 0) place.amsl_m = point.getZ();
     line.places.push_back(place);
   }
   return line;

@@ -90,7 +90,7 @@ struct Field {
 struct Description {
   std::vector<Field> fields;
   /// Sets of keys of which exactly one is to be given, whole; an empty set allows none of them.
-  std::vector<std::vector<std::string>> one_of = {};
+  std::vector<std::vector<std::string>> one_of;
 };
 
 /// "position_m | lat, lon, amsl_m"; "none" for the empty set.

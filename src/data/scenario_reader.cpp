@@ -13,7 +13,7 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(Findings findings) : findings_(std::move(findings)) {}
+  explicit Reader(const Findings& findings) : findings_(findings) {}
 
   void read_group(const Node& node, const std::string& path, const Description& description);
 

@@ -59,8 +59,8 @@ inline Flag flag(bool& value) {
 
 /// `words` in the order of the enumerators.
 template <class Enum>
-Choice choice(Enum& value, std::vector<std::string> words) {
-  return {.words = std::move(words), .value = static_cast<std::size_t>(value), .set = [&value](std::size_t given) {
+Choice choice(Enum& value, std::initializer_list<std::string> words) {
+  return {.words = words, .value = static_cast<std::size_t>(value), .set = [&value](std::size_t given) {
             value = static_cast<Enum>(given);
           }};
 }

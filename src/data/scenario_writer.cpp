@@ -46,19 +46,19 @@ class Writer {
   }
 
   // What follows "key:", numbers in the fewest digits that read back to the same; empty if there is nothing to write.
-  std::string value_of(const Text& slot) { return slot.value ? fmt::format(" {}", quoted(*slot.value)) : ""; }
-  std::string value_of(const Flag& slot) { return slot.value ? " true" : " false"; }
-  std::string value_of(const Number& slot) { return slot.value ? fmt::format(" {}", *slot.value) : ""; }
-  std::string value_of(const Numbers& slot) {
+  static std::string value_of(const Text& slot) { return slot.value ? fmt::format(" {}", quoted(*slot.value)) : ""; }
+  static std::string value_of(const Flag& slot) { return slot.value ? " true" : " false"; }
+  static std::string value_of(const Number& slot) { return slot.value ? fmt::format(" {}", *slot.value) : ""; }
+  static std::string value_of(const Numbers& slot) {
     return slot.value.empty() ? "" : fmt::format(" [{}]", fmt::join(slot.value, ", "));
   }
-  std::string value_of(const Choice& slot) { return fmt::format(" {}", slot.words[slot.value]); }
+  static std::string value_of(const Choice& slot) { return fmt::format(" {}", slot.words[slot.value]); }
   std::string value_of(const Group& slot) {
     const std::string inner = slot.present ? write(slot.open()) : "";
     return inner.empty() ? "" : fmt::format("\n{}", indented(inner, "  "));
   }
   /// Only the first item of a list carries comments.
-  std::string value_of(const Groups& slot) {
+  std::string value_of(const Groups& slot) const {
     std::string items;
     for (std::size_t i = 0; i < slot.count; ++i) {
       Writer writer(commented_ && i == 0 ? Comments::all : Comments::none);
@@ -66,10 +66,10 @@ class Writer {
     }
     return items;
   }
-  std::string value_of(const FileOrGroups& slot) {
+  std::string value_of(const FileOrGroups& slot) const {
     return slot.file.value ? value_of(slot.file) : value_of(slot.items);
   }
-  std::string value_of(const Words& slot) {
+  static std::string value_of(const Words& slot) {
     std::string inner;
     for (const auto& [key, value] : *slot.values) inner += fmt::format("\n  {}: {}", quoted(key), quoted(value));
     return inner;

@@ -11,7 +11,7 @@ namespace alate {
 namespace {
 
 /// Rounding between a height above ground and the ground itself must not make a fault.
-constexpr double kRounding_m = 1e-6;
+constexpr double kRoundingMetres = 1e-6;
 
 std::string number(double value) { return fmt::format("{:.2f}", value); }
 
@@ -86,23 +86,26 @@ bool in_core(const Threat& threat, const Vec3& position) {
          (position - threat.center).head<2>().norm() < threat.core_m;
 }
 
-void judge_height(const Site& site, const Vec3& position, double ground, const std::string& field, SiteFaults& faults) {
+void judge_height(const Site& site, const Vec3& position, const std::string& field, SiteFaults& faults) {
+  const auto found = ground_under(site, position.head<2>(), field, faults);
+  if (!found) return;
+  const double ground = *found;
   const double above = position.z() - ground;
   const Band& band = site.band;
-  if (above < -kRounding_m) {
+  if (above < -kRoundingMetres) {
     faults.add({.field = field,
                 .value = number(position.z()),
                 .limit = ">= " + number(ground),
                 .unit = "m above sea level",
                 .message = "lies under the ground"});
-  } else if (above < band.clearance_m - kRounding_m) {
+  } else if (above < band.clearance_m - kRoundingMetres) {
     faults.add({.field = field,
                 .value = number(above),
                 .limit = ">= " + number(band.clearance_m),
                 .unit = "m above ground",
                 .message = "is lower than the clearance"});
   }
-  if (band.ceiling_agl_m && above > *band.ceiling_agl_m + kRounding_m) {
+  if (band.ceiling_agl_m && above > *band.ceiling_agl_m + kRoundingMetres) {
     faults.add({.field = field,
                 .value = number(above),
                 .limit = "<= " + number(*band.ceiling_agl_m),
@@ -148,10 +151,9 @@ std::vector<Threat> locate_threats(const Site& site, SiteFaults& faults) {
 }
 
 void judge_place(const Site& site, const Vec3& position, const std::string& field, SiteFaults& faults) {
-  if (const auto ground = ground_under(site, position.head<2>(), field, faults))
-    judge_height(site, position, *ground, field, faults);
+  judge_height(site, position, field, faults);
   const auto& ceiling = site.band.ceiling_amsl_m;
-  if (ceiling && position.z() > *ceiling + kRounding_m) {
+  if (ceiling && position.z() > *ceiling + kRoundingMetres) {
     faults.add({.field = field,
                 .value = number(position.z()),
                 .limit = "<= " + number(*ceiling),

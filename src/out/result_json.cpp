@@ -86,12 +86,21 @@ Json front_json(const std::vector<FrontPoint>& front) {
   return points;
 }
 
+Json plane_json(const std::optional<ArcPlane>& plane) {
+  if (!plane) return nullptr;
+  return {{"center_z_m", number(plane->center_z_m)},
+          {"normal_x", number(plane->normal.x())},
+          {"normal_y", number(plane->normal.y())},
+          {"normal_z", number(plane->normal.z())}};
+}
+
 Json arc_json(const std::optional<Arc>& arc) {
   if (!arc) return nullptr;
   return {{"center_x_m", number(arc->center.x())},
           {"center_y_m", number(arc->center.y())},
           {"radius_m", number(arc->radius_m)},
-          {"angle_deg", number(degrees(arc->angle_rad))}};
+          {"angle_deg", number(degrees(arc->angle_rad))},
+          {"plane", plane_json(arc->plane)}};
 }
 
 Json action_json(const std::optional<AttitudeAction>& action) {

@@ -158,7 +158,7 @@ std::vector<Parameter> search_parameters() {
                "nothing.",
        .source = "Blum 2005 (Beam-ACO)"},
       {.name = "beam_passes",
-       .default_value = whole(6),
+       .default_value = whole(4),
        .min = 0,
        .max = 10,
        .help = "Over terrain, or with limits of the aircraft: passes of beam search before the ants, for a first route "

@@ -59,9 +59,9 @@ class Beam {
   };
   /// A candidate of the next step. `index` = entry * actions + action.
   struct Rank {
-    double f;
-    double g;
-    std::uint64_t index;
+    double f = 0;
+    double g = 0;
+    std::uint64_t index = 0;
     bool operator<(const Rank& other) const { return std::tie(f, g, index) < std::tie(other.f, other.g, other.index); }
   };
   struct Tested {

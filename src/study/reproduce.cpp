@@ -54,13 +54,13 @@ std::vector<std::string> reproducible_papers() {
   return names;
 }
 
-const std::string& require_reproducible(const std::string& paper) {
+void require_reproducible(const std::string& paper) {
   if (find(paper) == kPapers.end()) throw InputError(unknown_paper(paper));
-  return paper;
 }
 
 std::optional<Reproduction> reproduce(const std::string& paper, Executor& executor, const ReproduceOptions& options) {
-  return find(require_reproducible(paper))->reproduce(executor, options);
+  require_reproducible(paper);
+  return find(paper)->reproduce(executor, options);
 }
 
 std::vector<std::string> write_reproduction(const std::string& folder, const Reproduction& reproduction) {

@@ -27,17 +27,17 @@ struct LineAnts {
   };
   int length = 5;
 
-  State start() const { return {}; }
-  std::size_t actions() const { return 3; }
+  static State start() { return {}; }
+  static std::size_t actions() { return 3; }
   std::size_t step_limit() const { return static_cast<std::size_t>(length); }
   static float price(const State& at) { return 1.0F + static_cast<float>(std::abs(3 - at.place)); }
-  State next(const State& state, std::size_t k) const {
+  static State next(const State& state, std::size_t k) {
     return {.place = state.place + static_cast<int>(k) - 1, .step = state.step + 1};
   }
-  Eigen::Vector3f place(const State& state) const {
+  static Eigen::Vector3f place(const State& state) {
     return {static_cast<float>(state.place), static_cast<float>(state.step), 0};
   }
-  void look(const State& state, Choices& out) const {
+  static void look(const State& state, Choices& out) {
     out.resize(actions());
     std::ranges::fill(out.cost, std::numeric_limits<float>::infinity());
     for (std::size_t k = 0; k < actions(); ++k) {
@@ -48,7 +48,7 @@ struct LineAnts {
       out.cost[k] = price(to);
     }
   }
-  bool is_free(const State&, const State& to) const { return to.place != -1 || to.step != 1; }
+  static bool is_free(const State& /*from*/, const State& to) { return to.place != -1 || to.step != 1; }
   bool is_goal(const State& state) const { return state.step == length; }
   std::optional<Flight> fly(std::span<const std::uint32_t> actions) const {
     Flight flight;

@@ -97,14 +97,12 @@ inline std::set<std::size_t> broken_legs(const Verdict& verdict) {
 }
 
 inline const Margin* find_margin(const Verdict& verdict, const std::string& rule) {
-  const auto found = std::find_if(verdict.margins.begin(), verdict.margins.end(),
-                                  [&](const Margin& margin) { return margin.rule == rule; });
+  const auto found = std::ranges::find(verdict.margins, rule, &Margin::rule);
   return found == verdict.margins.end() ? nullptr : &*found;
 }
 
 inline const NotChecked* find_not_checked(const Verdict& verdict, const std::string& rule) {
-  const auto found = std::find_if(verdict.not_checked.begin(), verdict.not_checked.end(),
-                                  [&](const NotChecked& entry) { return entry.rule == rule; });
+  const auto found = std::ranges::find(verdict.not_checked, rule, &NotChecked::rule);
   return found == verdict.not_checked.end() ? nullptr : &*found;
 }
 

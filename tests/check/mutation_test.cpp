@@ -24,9 +24,10 @@ std::function<void(Site&, Route&)> move(std::size_t i, const Vec3& to) {
   return [i, to](Site&, Route& route) { route.states[i].position = to; };
 }
 
-void raise_ridge(Site& site, Route&) {
+void raise_ridge(Site& site, Route& /*route*/) {
   auto& raster = std::get<HeightRaster>(site.ground);
-  for (int row = 0; row < raster.rows; ++row) raster.posts[static_cast<std::size_t>(row * raster.columns + 12)] = 280;
+  const auto columns = static_cast<std::size_t>(raster.columns);
+  for (std::size_t post = 12; post < raster.posts.size(); post += columns) raster.posts[post] = 280;
 }
 
 const std::vector<Mutation> kMutations{

@@ -109,8 +109,8 @@ TEST(ThreatCore, DivingLegIsJudgedOnlyInsideTheBand) {
 TEST(Unknown, VoidUnderALegMakesTheVerdictUnknown) {
   Site site = example_site();
   auto& raster = std::get<HeightRaster>(site.ground);
-  raster.posts[static_cast<std::size_t>((raster.rows - 2) * raster.columns + 12)] =
-      std::numeric_limits<float>::quiet_NaN();
+  const int post = (raster.rows - 2) * raster.columns + 12;
+  raster.posts[static_cast<std::size_t>(post)] = std::numeric_limits<float>::quiet_NaN();
   const Verdict verdict = check(site, example_route());
   EXPECT_EQ(verdict.status, Status::unknown);
   ASSERT_NE(find_not_checked(verdict, "terrain_clearance"), nullptr);

@@ -55,7 +55,7 @@ class PlannerLaws : public testing::TestWithParam<Law> {
 
   /// The published walks seldom arrive in a few iterations, and hardly ever over terrain: no fault of the planner, but
   /// it must say so.
-  bool may_fail() const {
+  static bool may_fail() {
     return GetParam().preset.starts_with("konatowski2019") || GetParam().preset == "no-pheromone";
   }
   bool said_that_it_failed(const Plan& plan) const {

@@ -106,9 +106,9 @@ TEST(Frame, MayBeAskedFromManyThreads) {
   const Vec2 expected = *frame.from_geo(kJacksboro);
   std::vector<int> wrong(4);
   std::vector<std::jthread> threads;
-  for (std::size_t t = 0; t < wrong.size(); ++t)
-    threads.emplace_back([&, t] {
-      for (int i = 0; i < 200; ++i) wrong[t] += *frame.from_geo(kJacksboro) == expected ? 0 : 1;
+  for (int& count : wrong)
+    threads.emplace_back([&] {
+      for (int i = 0; i < 200; ++i) count += *frame.from_geo(kJacksboro) == expected ? 0 : 1;
     });
   threads.clear();
   for (const int count : wrong) EXPECT_EQ(count, 0);

@@ -155,8 +155,8 @@ TEST(Raster, ComplexAndHugeRastersAreRefused) {
   EXPECT_NE(refusal(write_raster("complex.tif", {.type = GDT_CFloat32})).find("complex"), std::string::npos);
   GDALAllRegister();
   const std::string file = (test::scratch_folder() / "huge.tif").string();
-  char sparse[] = "SPARSE_OK=TRUE";
-  std::array<char*, 2> options{sparse, nullptr};
+  std::string sparse = "SPARSE_OK=TRUE";
+  std::array<char*, 2> options{sparse.data(), nullptr};
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   GDALClose(driver->Create(file.c_str(), 15'001, 10'000, 1, GDT_Byte, options.data()));
   EXPECT_NE(refusal(file).find("150010000 cells"), std::string::npos);
@@ -176,7 +176,8 @@ TEST(Raster, JacksboroLiesWhereItShould) {
   EXPECT_EQ(raster.voids, 0U);
   EXPECT_EQ(raster.datum, "EGM96 height");
   const auto highest = std::ranges::max_element(raster.posts) - raster.posts.begin();
-  const Vec2 post{static_cast<double>(highest % raster.columns), static_cast<double>(highest / raster.columns)};
+  const auto row = highest / raster.columns;
+  const Vec2 post{static_cast<double>(highest % raster.columns), static_cast<double>(row)};
   const Vec2 cross_mountain = raster.map(*frame.from_geo({36.1983, -84.2308}));
   EXPECT_LT(((cross_mountain - post).cwiseProduct(Vec2(75, 92.5))).norm(), 150);
   // Row 0 is the north edge; the first post lies half a cell inside the corner.

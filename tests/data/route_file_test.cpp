@@ -19,10 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 class RouteFiles : public testing::Test {
- protected:
+ public:
   RouteFiles() { fs::create_directories(folder_); }
   ~RouteFiles() override { fs::remove_all(folder_); }
 
+ protected:
   std::string write(const std::string& name, const std::string& text) const {
     fs::remove(folder_ / name);  // some file systems flush a file that is written over
     std::ofstream(folder_ / name, std::ios::binary) << text;

@@ -166,7 +166,8 @@ TEST(Site, VoidsAreUnknownGroundForStartAndGoal) {
   const auto& raster = std::get<HeightRaster>(site.ground);
   const auto hole =
       std::ranges::find_if(raster.posts, [](float post) { return std::isnan(post); }) - raster.posts.begin();
-  scenario.goal.place.lat_deg = 47 - static_cast<double>(hole / 1201) / 1200 - 1e-5;
+  const auto row = hole / 1201;
+  scenario.goal.place.lat_deg = 47 - static_cast<double>(row) / 1200 - 1e-5;
   scenario.goal.place.lon_deg = 8 + static_cast<double>(hole % 1201) / 1200 + 1e-5;
   expect_refused(scenario, {"goal: lies on unknown ground"});
 }

@@ -63,7 +63,7 @@ Flight random_flight(Site site, std::uint64_t seed) {
   Mat3 attitude = level_attitude(site.mission.heading_rad);
   for (int i = 0; i < 30; ++i) {
     attitude = attitude * rotations.matrix(stream.below(rotations.size()));
-    nodes.push_back(nodes.back() + *site.vehicle.step_m * attitude.col(0));
+    nodes.emplace_back(nodes.back() + *site.vehicle.step_m * attitude.col(0));
   }
   site.mission.goal = nodes.back();
   const World world(site);

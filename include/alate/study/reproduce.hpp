@@ -29,8 +29,8 @@ struct Claim {
   std::optional<double> ours;       ///< Of several cases: their mean.
   std::string unit;                 ///< Empty for a pure number.
   ClaimVerdict verdict = ClaimVerdict::cannot_be_told;
-  std::string why;                                        ///< Plain sentences.
-  std::vector<std::pair<std::string, double>> by_case{};  ///< What `ours` is made of.
+  std::string why;                                      ///< Plain sentences.
+  std::vector<std::pair<std::string, double>> by_case;  ///< What `ours` is made of.
 };
 
 /// All runs of one method on one case. Costs are what `measure` says, of routes that passed `check`.
@@ -73,8 +73,8 @@ struct ReproduceOptions {
 /// Papers that can be reproduced.
 std::vector<std::string> reproducible_papers();
 
-/// The same name. Throws InputError, naming the nearest, for a paper that cannot be reproduced.
-const std::string& require_reproducible(const std::string& paper);
+/// Throws InputError, naming the nearest, for a paper that cannot be reproduced.
+void require_reproducible(const std::string& paper);
 
 /// Runs the whole comparison, one run a thread. The same at any number of threads but for times. Nothing if it was
 /// stopped. Throws InputError for an unknown paper.

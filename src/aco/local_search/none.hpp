@@ -9,7 +9,7 @@ namespace alate {
 struct NoLocalSearch {
   /// Was the ant's route changed?
   template <class Space>
-  bool operator()(const Space&, Ant&, double, RunContext&) const {
+  bool operator()(const Space& /*space*/, Ant& /*ant*/, double /*best*/, RunContext& /*run*/) const {
     return false;
   }
 };

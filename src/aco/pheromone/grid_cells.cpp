@@ -30,8 +30,7 @@ std::optional<GridCells> GridCells::over(const ReachBox& box, float cell_m) {
   if (!(count * sizeof(StoredTrail) <= kMostBytes)) return std::nullopt;
   grid.columns_ = static_cast<std::int32_t>(grid.x_.last) + 1;
   grid.layer_ = grid.columns_ * (static_cast<std::int32_t>(grid.y_.last) + 1);
-  // All bits zero is an unknown cell.
-  grid.cells_.reset(static_cast<StoredTrail*>(std::calloc(static_cast<std::size_t>(count), sizeof(StoredTrail))));
+  grid.cells_ = zeroed(static_cast<std::size_t>(count));  // all bits zero is an unknown cell
   if (!grid.cells_) return std::nullopt;
   return grid;
 }
@@ -56,9 +55,10 @@ ALATE_SIMD void GridCells::name(Choices& choices) const {
 }
 
 TrailKey GridCells::name(float x, float y, float z) const {
-  return static_cast<TrailKey>(index_along(x, x_.from, x_.per_cell, x_.last) +
-                               columns_ * index_along(y, y_.from, y_.per_cell, y_.last) +
-                               layer_ * index_along(z, z_.from, z_.per_cell, z_.last));
+  const std::int32_t index = index_along(x, x_.from, x_.per_cell, x_.last) +
+                             columns_ * index_along(y, y_.from, y_.per_cell, y_.last) +
+                             layer_ * index_along(z, z_.from, z_.per_cell, z_.last);
+  return static_cast<std::uint32_t>(index);
 }
 
 }  // namespace alate

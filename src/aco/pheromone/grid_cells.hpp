@@ -34,9 +34,16 @@ class GridCells {
   }
 
  private:
+  // Not a vector: only calloc leaves pages untouched until an ant comes there.
+  // NOLINTBEGIN(cppcoreguidelines-no-malloc, modernize-avoid-c-arrays)
   struct Free {
     void operator()(StoredTrail* cells) const { std::free(cells); }
   };
+  using Cells = std::unique_ptr<StoredTrail[], Free>;
+  static Cells zeroed(std::size_t count) {
+    return Cells(static_cast<StoredTrail*>(std::calloc(count, sizeof(StoredTrail))));
+  }
+  // NOLINTEND(cppcoreguidelines-no-malloc, modernize-avoid-c-arrays)
   struct Axis {
     float from = 0;
     float per_cell = 0;
@@ -47,7 +54,7 @@ class GridCells {
   Axis x_, y_, z_;
   std::int32_t columns_ = 0;
   std::int32_t layer_ = 0;  ///< Cells of one layer.
-  std::unique_ptr<StoredTrail[], Free> cells_;
+  Cells cells_;
   std::vector<TrailKey> known_;
 };
 

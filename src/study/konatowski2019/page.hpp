@@ -8,6 +8,6 @@
 
 namespace alate::konatowski2019 {
 
-std::string page_html(const Study& study, const Reproduction& reproduction);
+std::string page_html(const Study& study, const Reproduction& result);
 
 }  // namespace alate::konatowski2019

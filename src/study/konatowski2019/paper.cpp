@@ -36,9 +36,9 @@ const std::string kThreatsF = R"(
   - {name: F3, center_m: [16.5, 14, 5.2], radius_m: 8, level: 0.5})";
 
 struct Asked {
-  const char* name;
-  const char* planner;
-  const char* preset;  ///< Empty: the planner's default.
+  const char* name = "";
+  const char* planner = "";
+  const char* preset = "";  ///< Empty: the planner's default.
   const char* parameter = nullptr;
   const char* value = nullptr;
   const char* help = "";

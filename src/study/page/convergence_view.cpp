@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "out/report/axis.hpp"
 #include "out/report/svg.hpp"
@@ -113,8 +114,8 @@ void draw_best(Svg& svg, const LogAxes& axes, const Convergence& line) {
 void draw_band(Svg& svg, const LogAxes& axes, const Convergence& line) {
   std::vector<Vec2> outline;
   for (const auto& point : line.points) outline.push_back(axes.at(point.iteration, point.least));
-  for (auto point = line.points.rbegin(); point != line.points.rend(); ++point)
-    outline.push_back(axes.at(point->iteration, point->greatest));
+  for (const auto& point : std::views::reverse(line.points))
+    outline.push_back(axes.at(point.iteration, point.greatest));
   svg.polygon(outline, "seeds " + line.css_class);
 }
 

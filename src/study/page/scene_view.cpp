@@ -53,18 +53,18 @@ class View {
     for (const Threat& threat : site.threats) include(threat.center, threat.radius_m);
     for (const SceneRoute& each : routes)
       for (const RouteState& state : each.route->states) include(state.position, 0);
-    scale_ = (kWidth - 2 * kMargin) / (high_.x() - low_.x());
   }
 
   Vec2 operator()(const Vec3& point) const {
     const Vec2 at = camera_.project(point);
-    return {kMargin + scale_ * (at.x() - low_.x()), kMargin + scale_ * (high_.y() - at.y())};
+    return {kMargin + scale() * (at.x() - low_.x()), kMargin + scale() * (high_.y() - at.y())};
   }
-  double length(double units) const { return scale_ * units; }
-  double height() const { return scale_ * (high_.y() - low_.y()) + 2 * kMargin; }
+  double length(double units) const { return scale() * units; }
+  double height() const { return scale() * (high_.y() - low_.y()) + 2 * kMargin; }
   const Camera& camera() const { return camera_; }
 
  private:
+  double scale() const { return (kWidth - 2 * kMargin) / (high_.x() - low_.x()); }
   void include(const Vec3& point, double radius) {
     low_ = low_.cwiseMin(camera_.project(point) - Vec2::Constant(radius));
     high_ = high_.cwiseMax(camera_.project(point) + Vec2::Constant(radius));
@@ -73,7 +73,6 @@ class View {
   Camera camera_{radians(150), radians(28)};
   Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high_ = -low_;
-  double scale_ = 1;
 };
 
 void draw_floor(Svg& svg, const View& view, const Box3& box) {
@@ -102,8 +101,15 @@ void draw_heights(Svg& svg, const View& view, const Box3& box) {
   svg.text(view({foot.x(), foot.y(), box.max.z()}) + Vec2{-10, -14}, "z", "axis", Anchor::end);
 }
 
-/// The half of a great circle in the plane of `u` and `v` that faces the viewer, or the other half.
-std::vector<Vec2> half_ring(const View& view, const Threat& sphere, const Vec3& u, const Vec3& v, bool front) {
+/// Where a great circle lies: two axes of its plane.
+struct RingPlane {
+  Vec3 u;
+  Vec3 v;
+};
+
+/// The half of a great circle that faces the viewer, or the other half.
+std::vector<Vec2> half_ring(const View& view, const Threat& sphere, const RingPlane& plane, bool front) {
+  const auto& [u, v] = plane;
   constexpr int kPieces = 24;
   const Vec3& towards = view.camera().towards();
   const double facing = std::atan2(towards.dot(v), towards.dot(u)) + (front ? 0 : kPi);
@@ -117,9 +123,9 @@ std::vector<Vec2> half_ring(const View& view, const Threat& sphere, const Vec3& 
 
 void draw_rings(Svg& svg, const View& view, const Threat& sphere, bool front) {
   const std::string_view css = front ? "ring" : "ring far";
-  svg.polyline(half_ring(view, sphere, Vec3::UnitX(), Vec3::UnitY(), front), css);
-  svg.polyline(half_ring(view, sphere, Vec3::UnitX(), Vec3::UnitZ(), front), css);
-  svg.polyline(half_ring(view, sphere, Vec3::UnitY(), Vec3::UnitZ(), front), css);
+  svg.polyline(half_ring(view, sphere, {Vec3::UnitX(), Vec3::UnitY()}, front), css);
+  svg.polyline(half_ring(view, sphere, {Vec3::UnitX(), Vec3::UnitZ()}, front), css);
+  svg.polyline(half_ring(view, sphere, {Vec3::UnitY(), Vec3::UnitZ()}, front), css);
 }
 
 /// Light from the upper left: brighter discs, ever smaller and nearer to the light.
@@ -154,10 +160,9 @@ void draw_leg(Svg& svg, const View& view, const SceneRoute& each, std::size_t i)
   svg.circle(view(leg.b), 4, "node " + each.css_class);
 }
 
-void draw_end(Svg& svg, const View& view, const Vec3& at, std::string_view name, bool goal) {
-  svg.circle(view(at), 8, "end");
-  if (goal) svg.circle(view(at), 3.2, "dot");
-  svg.text(view(at) + Vec2{0, goal ? -18 : 28}, name, "label", Anchor::middle);
+void draw_end(Svg& svg, const Vec2& at, std::string_view name, double below) {
+  svg.circle(at, 8, "end");
+  svg.text(at + Vec2{0, below}, name, "label", Anchor::middle);
 }
 
 /// Below the spheres, fanned out so that names of spheres at one place stay apart.
@@ -196,8 +201,9 @@ std::string scene_svg(const Site& site, const std::vector<SceneRoute>& routes, c
   for (const Piece& piece : pieces) piece.draw();
 
   draw_names(svg, view, site.threats);
-  draw_end(svg, view, site.mission.start, "Start", false);
-  draw_end(svg, view, site.mission.goal, "Goal", true);
+  draw_end(svg, view(site.mission.start), "Start", 28);
+  draw_end(svg, view(site.mission.goal), "Goal", -18);
+  svg.circle(view(site.mission.goal), 3.2, "dot");
   return svg.str();
 }
 

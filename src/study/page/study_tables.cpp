@@ -107,7 +107,10 @@ std::string study_table(const std::vector<std::string>& words, const std::vector
   for (const std::string& head : numbers)
     heads += fmt::format("<th scope=\"col\" class=\"num\">{}</th>", xml_escape(head));
   return fmt::format(
-      "<div class=\"scroll\"><table class=\"study\"><thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      R"(<div class="scroll"><table class="study"><thead><tr>{}</tr></thead>
+<tbody>
+{}</tbody></table></div>
+)",
       heads, rows);
 }
 
