@@ -1,0 +1,10 @@
+// The planners on correction points, as the registry lists them.
+#pragma once
+
+#include "alate/plan/registry.hpp"
+
+namespace alate {
+
+PlannerEntry correction_ga_entry();
+
+}  // namespace alate
