@@ -40,8 +40,7 @@ CorrectionGraph::CorrectionGraph(const Navigation& navigation, const Vec3& start
 CorrectionGraph CorrectionGraph::within(double length_m) const {
   std::vector<CorrectionPoint> inside;
   for (Node i = 0; i < point_count(); ++i)
-    if (length(start(), i) + length(i, goal()) <= length_m)
-      inside.push_back({.id = id_[i], .position = position(i), .kind = kind(i), .success = success_[i]});
+    if (length(start(), i) + length(i, goal()) <= length_m) inside.push_back(point(i));
   CorrectionGraph part(limits_, world_);
   part.fill(inside, position(start()), position(goal()));
   return part;

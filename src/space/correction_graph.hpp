@@ -39,14 +39,50 @@ class CorrectionGraph {
   /// Id as the user numbers it.
   int id(Node i) const { return id_[i]; }
   double success(Node i) const { return success_[i]; }
+  CorrectionPoint point(Node i) const {
+    return {.id = id_[i], .position = position(i), .kind = kind(i), .success = success_[i]};
+  }
   /// May any correction fail?
   bool unreliable() const { return unreliable_; }
 
-  double length(Node i, Node j) const {
-    const double x = x_[j] - x_[i];
-    const double y = y_[j] - y_[i];
-    const double z = z_[j] - z_[i];
-    return std::sqrt(x * x + y * y + z * z);
+  double length(Node i, Node j) const { return std::sqrt(squared_length(i, j)); }
+
+  /// Calls visit(j, length, error after j) for each point `j` that can be flown to from `i` with `error` there. Whether
+  /// the leg is_free is left to the caller, as it may have cheaper reasons to pass it over.
+  template <class Visit>
+  void for_each_next(Node i, double error, Visit&& visit) const {
+    for (const PointKind to : {PointKind::vertical, PointKind::horizontal}) {
+      const ReducedLeg rule = leg(kind(i), to);
+      const double reach = rule.reach_m(error);
+      near(i, to, reach, [&](Node first, Node last) {
+        for (Node j = first; j < last; ++j) {
+          const double squared = squared_length(i, j);
+          if (squared > reach * reach || j == i) continue;
+          const double d = std::sqrt(squared);
+          if (rule.keeps_limits(error, d)) visit(j, d, rule.after(error, d));
+        }
+      });
+    }
+  }
+
+  /// Calls visit(i, length, most error at i) for the start and each point `i` from which `j` can be flown to so that at
+  /// most `most` error is left there; see ReducedLeg::most_before. For the goal `most` means nothing.
+  template <class Visit>
+  void for_each_previous(Node j, double most, Visit&& visit) const {
+    const auto try_leg = [&](const ReducedLeg& rule, Node i, double d) {
+      if (const double before = rule.most_before(most, d); before >= 0) visit(i, d, before);
+    };
+    for (const PointKind from : {PointKind::vertical, PointKind::horizontal}) {
+      const ReducedLeg rule = leg(from, kind(j));
+      const double reach = rule.reach_back_m(most);
+      near(j, from, reach, [&](Node first, Node last) {
+        for (Node i = first; i < last; ++i) {
+          const double squared = squared_length(i, j);
+          if (squared <= reach * reach && i != j) try_leg(rule, i, std::sqrt(squared));
+        }
+      });
+    }
+    try_leg(leg(PointKind::vertical, kind(j)), start(), length(start(), j));
   }
 
   /// Is the straight leg flown free of ground, ceilings and cores, and within the climb limits? Always, at no cost,
@@ -81,6 +117,13 @@ class CorrectionGraph {
   }
 
  private:
+  double squared_length(Node i, Node j) const {
+    const double x = x_[j] - x_[i];
+    const double y = y_[j] - y_[i];
+    const double z = z_[j] - z_[i];
+    return x * x + y * y + z * z;
+  }
+
   /// Cells of one kind of points, row by row: the points of cell c are first[c] to first[c + 1] - 1.
   struct Grid {
     Vec2 min = Vec2::Zero();
