@@ -4,7 +4,7 @@
 #include "ga/fixed_breeder.hpp"
 #include "ga/string_breeder.hpp"
 #include "plan/correction_ga_parameters.hpp"
-#include "plan/correction_plan.hpp"
+#include "plan/correction_heuristic.hpp"
 #include "plan/correction_planners.hpp"
 
 namespace alate {
@@ -117,7 +117,7 @@ PlannerEntry correction_ga_entry() {
           .can = {.anytime = true, .terrain = true, .space = "correction points"},
           .presets = correction_ga_presets(),
           .parameters = ParamTable(correction_ga_parameters()),
-          .refuses = correction_refusal,
+          .refuses = heuristic_refusal,
           .make = [](const ParamValues& values) { return Planner(CorrectionGa(values)); }};
 }
 

@@ -8,6 +8,8 @@ namespace {
 
 using Node = CorrectionGraph::Node;
 
+constexpr double kAnyError = std::numeric_limits<double>::infinity();
+
 struct Reached {
   double to_go = 0;
   Node node = 0;
@@ -15,20 +17,6 @@ struct Reached {
     return to_go > other.to_go || (to_go == other.to_go && node > other.node);
   }
 };
-
-/// Calls visit(i, length) for all nodes from which an aircraft without error can fly to `j`.
-template <class Visit>
-void for_predecessors(const CorrectionGraph& graph, Node j, const Visit& visit) {
-  for (const PointKind kind : {PointKind::vertical, PointKind::horizontal}) {
-    const double reach = graph.leg(kind, graph.kind(j)).reach_m(0);
-    graph.near(j, kind, reach, [&](Node first, Node last) {
-      for (Node i = first; i < last; ++i)
-        if (const double length = graph.length(i, j); length <= reach && i != j) visit(i, length);
-    });
-  }
-  const double length = graph.length(graph.start(), j);
-  if (length <= graph.leg(graph.start(), j).reach_m(0)) visit(graph.start(), length);
-}
 
 }  // namespace
 
@@ -52,7 +40,7 @@ RelaxedToGo::RelaxedToGo(const CorrectionGraph& graph, Extent extent, RunContext
       if (extent == Extent::until_start) return;
       continue;
     }
-    for_predecessors(graph, now.node, [&](Node i, double length) {
+    graph.for_each_previous(now.node, kAnyError, [&](Node i, double length, double /*most*/) {
       if (!(now.to_go + length < best[i])) return;
       best[i] = now.to_go + length;
       open.push({best[i], i});

@@ -6,17 +6,10 @@ namespace {
 
 std::vector<Successors::Arc> list_of(const CorrectionGraph& graph, const RelaxedToGo& to_go, CorrectionGraph::Node i,
                                      std::size_t most) {
-  using Node = CorrectionGraph::Node;
   std::vector<Successors::Arc> list;
-  for (const PointKind kind : {PointKind::vertical, PointKind::horizontal}) {
-    const double reach = graph.leg(graph.kind(i), kind).reach_m(0);
-    graph.near(i, kind, reach, [&](Node first, Node last) {
-      for (Node j = first; j < last; ++j)
-        if (const double length = graph.length(i, j);
-            length <= reach && j != i && to_go(j) < std::numeric_limits<double>::infinity())
-          list.push_back({j, length});
-    });
-  }
+  graph.for_each_next(i, 0, [&](CorrectionGraph::Node j, double length, double /*error*/) {
+    if (to_go(j) < std::numeric_limits<double>::infinity()) list.push_back({j, length});
+  });
   const double home = graph.length(i, graph.goal());
   if (home <= graph.leg(i, graph.goal()).reach_m(0)) list.push_back({graph.goal(), home});
   std::ranges::sort(list, {},

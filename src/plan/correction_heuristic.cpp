@@ -1,4 +1,4 @@
-#include "plan/correction_plan.hpp"
+#include "plan/correction_heuristic.hpp"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "space/correction_route.hpp"
-#include "space/objective.hpp"
 
 namespace alate {
 
@@ -34,9 +33,7 @@ std::string nothing_found(Stop stop) {
 
 class Wrapping {
  public:
-  Wrapping(const Problem& problem, RunContext& run) : problem_(problem), run_(run), objective_(problem.world) {
-    plan_.seed = run.seed();
-  }
+  Wrapping(const Problem& problem, RunContext& run) : problem_(problem), run_(run) { plan_.seed = run.seed(); }
 
   Plan plan(double corridor, const CorrectionSearch& search) {
     const CorrectionGraph whole(problem_.world);
@@ -74,7 +71,7 @@ class Wrapping {
     }
     plan_.outcome = Outcome::feasible;
     plan_.route = route_through(problem_.world.site(), ids_of(graph, found.points)).route;
-    plan_.cost = objective_.route_cost(plan_.route);
+    plan_.cost = problem_.objective.length * length_m;
   }
 
   Plan without_way() {
@@ -87,8 +84,7 @@ class Wrapping {
   }
 
   Plan finish() {
-    if (bound_m_ < kInfinite_m && objective_.is_physical())
-      plan_.lower_bound = objective_.weights().length * bound_m_ * (1 - kHair);
+    if (bound_m_ < kInfinite_m) plan_.lower_bound = problem_.objective.length * bound_m_ * (1 - kHair);
     plan_.stop = run_.stop();
     plan_.reproducible = plan_.stop != Stop::deadline && plan_.stop != Stop::cancelled;
     plan_.counters["iterations"] = run_.iterations();
@@ -98,19 +94,19 @@ class Wrapping {
 
   const Problem& problem_;
   RunContext& run_;
-  Objective objective_;
   Plan plan_;
   double bound_m_ = 0;
 };
 
 }  // namespace
 
-std::string correction_refusal(const Problem& problem) {
+std::string heuristic_refusal(const Problem& problem) {
   const auto& navigation = problem.world.site().navigation;
-  if (!navigation) return "flies from correction point to correction point, and the scenario has no navigation";
-  if (navigation->turn_model != TurnModel::none)
-    return "flies straight legs, and cannot keep a turn model; set navigation.turn_model to none";
-  if (problem.objective.model != CostModel::physical) return "minimises metres, and cannot serve another cost model";
+  const ObjectiveSpec& objective = problem.objective;
+  if (!navigation) return "flies from correction point to correction point; add navigation";
+  if (navigation->turn_model != TurnModel::none) return "flies straight legs only; set navigation.turn_model to none";
+  if (objective.model != CostModel::physical || objective.length <= 0 || objective.climb > 0)
+    return "looks for the shortest route; set objective.length above 0 and objective.climb to 0";
   if (problem.prefer == Preference::probability)
     return "plans as if every correction worked, and cannot prefer the probability of success";
   return "";

@@ -11,8 +11,9 @@
 
 namespace alate {
 
-/// Why planners that fly straight legs between correction points cannot serve this problem; empty if they can.
-std::string correction_refusal(const Problem& problem);
+/// Why planners that look for the shortest route, every correction working, cannot serve this problem; empty if they
+/// can.
+std::string heuristic_refusal(const Problem& problem);
 
 /// What a search is given.
 struct CorrectionTask {
