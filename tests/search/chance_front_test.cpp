@@ -54,8 +54,8 @@ double fly_often(const CorrectionField& field, const std::vector<CorrectionPoint
 TEST_F(ChanceFront, FindsWhatTryingEverythingFinds) {
   std::size_t longest = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
-    const CorrectionField field = test::small_field(14, 60'000, seed);
-    constexpr std::size_t kMost = 7;
+    const CorrectionField field = test::small_field(40, 62'000, seed);
+    constexpr std::size_t kMost = 6;
     auto ours = test::values_of(field, front(field));
     std::erase_if(ours, [](const FrontValue& one) { return one.corrections > static_cast<int>(kMost); });
     expect_same_front(ours, test::brute_force_front(field, kMost, true), "seed " + std::to_string(seed));

@@ -17,7 +17,7 @@ inline CorrectionField small_field(int points, double width_m, std::uint64_t see
   for (Vec3* at : {&field.start, &field.goal}) at->head<2>() *= scale;
   for (CorrectionPoint& point : field.navigation.points) {
     point.position.x() *= scale;
-    point.position.y() = field.start.y() + 0.4 * (point.position.y() * scale - field.start.y());
+    point.position.y() = field.start.y() + 0.6 * (point.position.y() * scale - field.start.y());
     point.success = point.id % 3 == 0 ? 0.8 : point.id % 7 == 0 ? 0.5 : 1.0;
   }
   return field;

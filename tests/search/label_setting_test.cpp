@@ -63,14 +63,14 @@ TEST_F(LabelSetting, FindsWhatBackwardProgrammingFinds) {
 TEST_F(LabelSetting, FindsWhatTryingEverythingFinds) {
   std::size_t longest = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const CorrectionField field = never_failing(test::small_field(14, 60'000, seed));
-    constexpr std::size_t kMost = 8;
+    const CorrectionField field = never_failing(test::small_field(40, 65'000, seed));
+    constexpr std::size_t kMost = 6;
     auto ours = values(field);
     std::erase_if(ours, [](const FrontValue& one) { return one.corrections > static_cast<int>(kMost); });
-    expect_same_front(ours, test::brute_force_front(field, kMost, false), name_of(14, seed));
+    expect_same_front(ours, test::brute_force_front(field, kMost, false), name_of(40, seed));
     longest = std::max(longest, ours.size());
   }
-  EXPECT_GE(longest, 3U);
+  EXPECT_GE(longest, 2U);
 }
 
 TEST_F(LabelSetting, ShortestAloneIsTheFrontsLast) {
