@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "alate/check/check.hpp"
+#include "check/corrections.hpp"
 #include "check/exposure.hpp"
 #include "check/flight.hpp"
 #include "check/leg_shape.hpp"
+#include "check/success_chance.hpp"
 
 namespace alate {
 
@@ -35,6 +37,13 @@ double physical_cost(const Site& site, const Metrics& metrics) {
   return objective.length * metrics.length_m + objective.threat * metrics.threat + objective.climb * metrics.climb_m;
 }
 
+void measure_corrections(const Navigation& navigation, const Route& route, Metrics& metrics) {
+  const std::vector<Visit> visits = visits_of(navigation, route);
+  const auto corrects = [](const Visit& visit) { return visit.point != nullptr; };
+  metrics.corrections = static_cast<std::size_t>(std::ranges::count_if(visits, corrects));
+  metrics.probability = success_chance(navigation, visits);
+}
+
 }  // namespace
 
 Metrics measure(const Site& site, const Route& route) {
@@ -53,6 +62,7 @@ Metrics measure(const Site& site, const Route& route) {
   }
   metrics.cost = nodes_only ? node_cost(site, route, metrics.threat) : physical_cost(site, metrics);
   metrics.min_clearance_m = min_clearance(site, route);
+  if (site.navigation) measure_corrections(*site.navigation, route, metrics);
   return metrics;
 }
 

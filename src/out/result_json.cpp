@@ -71,8 +71,19 @@ Json metrics_json(const Metrics* metrics) {
           {"descent_m", value(&Metrics::descent_m)},
           {"threat", value(&Metrics::threat)},
           {"min_clearance_m", metrics ? number(metrics->min_clearance_m) : Json()},
-          {"corrections", nullptr},
-          {"probability", nullptr}};
+          {"corrections", metrics && metrics->corrections ? Json(*metrics->corrections) : Json()},
+          {"probability", metrics ? number(metrics->probability) : Json()}};
+}
+
+Json front_json(const std::vector<FrontPoint>& front) {
+  Json points = Json::array();
+  for (const FrontPoint& point : front) {
+    points.push_back({{"length_m", number(point.length_m)},
+                      {"corrections", point.corrections},
+                      {"probability", number(point.probability)},
+                      {"points", point.points}});
+  }
+  return points;
 }
 
 Json plane_json(const std::optional<ArcPlane>& plane) {
@@ -173,7 +184,7 @@ std::string to_json(const Result& result) {
                {"metrics", metrics_json(found ? &result.metrics : nullptr)},
                {"verdict", found ? verdict_json(site, result.verdict) : no_verdict()},
                {"route", route_json(site, result.plan.route)},
-               {"front", Json::array()},
+               {"front", front_json(result.plan.front)},
                {"counters", counters_json(result)},
                {"frame", site.frame.name()},
                {"ground", ground_json(site)},

@@ -44,6 +44,13 @@ std::string ceilings(const Band& band) {
   return above_ground + (above_ground.empty() || above_sea.empty() ? "" : ", ") + above_sea;
 }
 
+std::string error_limit(std::string_view rule, const Navigation& navigation) {
+  if (rule == "final_error") return fmt::format("below {} units", navigation.theta);
+  const auto error = rule == "vertical_error" ? &Navigation::Limits::vertical : &Navigation::Limits::horizontal;
+  return fmt::format("at most {} units at vertical, {} at horizontal points", navigation.at_vertical.*error,
+                     navigation.at_horizontal.*error);
+}
+
 }  // namespace
 
 std::string rule_title(std::string_view rule) {
@@ -63,6 +70,7 @@ std::string rule_limit(std::string_view rule, const Site& site) {
   if (rule == "descent") return in_degrees("at most", vehicle.descent_rad);
   if (rule == "step") return limit("steps of", vehicle.step_m, "m, rotations from the lists");
   if (rule == "arrival") return limit("within", site.mission.tolerance_m, "m");
+  if (rule.ends_with("_error") && site.navigation) return error_limit(rule, *site.navigation);
   if (rule == "endurance") return limit("at most", vehicle.range_m, "m");
   return {};
 }
