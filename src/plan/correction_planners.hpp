@@ -6,5 +6,6 @@
 namespace alate {
 
 PlannerEntry label_setting_entry();
+PlannerEntry correction_ga_entry();
 
 }  // namespace alate
