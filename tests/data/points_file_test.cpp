@@ -145,7 +145,7 @@ TEST(PointsFile, ManyFaultsAreCounted) {
 TEST(PointsFile, MutatedFilesAreReadOrRefused) {
   std::string text = kHeader;
   for (int i = 0; i < 10; ++i)
-    text += fmt::format("{},{},5.25,-1e3,{},{}\n", i, i * 100.5, i % 2 ? "vertical" : "horizontal", i % 2);
+    text += fmt::format("{},{},5.25,-1e3,{},{}\n", i, i * 100.5, i % 2 == 0 ? "horizontal" : "vertical", i % 2);
   std::mt19937 random(3);
   for (int round = 0; round < 3000; ++round) {
     std::string edited = text;
