@@ -6,5 +6,6 @@
 namespace alate {
 
 PlannerEntry correction_ga_entry();
+PlannerEntry sparse_astar_entry();
 
 }  // namespace alate
