@@ -18,7 +18,9 @@ const std::string kHeader = "id,x_m,y_m,z_m,kind,may_fail\n";
 /// `text` in a file of its own, read.
 struct Reading {
   explicit Reading(const std::string& text, double success = 0.8) {
-    const std::string file = testing::TempDir() + "alate_points.csv";
+    // Tests run side by side.
+    const std::string file = fmt::format("{}alate_points_{}.csv", testing::TempDir(),
+                                         testing::UnitTest::GetInstance()->current_test_info()->name());
     std::ofstream(file, std::ios::binary) << text;
     given = read_points_file(file, success, faults);
     for (Fault& fault : faults) {
