@@ -38,12 +38,11 @@ CorrectionGraph::CorrectionGraph(const Navigation& navigation, const Vec3& start
 }
 
 CorrectionGraph CorrectionGraph::within(double length_m) const {
-  std::vector<CorrectionPoint> inside;
-  for (Node i = 0; i < point_count(); ++i)
-    if (length(start(), i) + length(i, goal()) <= length_m) inside.push_back(point(i));
-  CorrectionGraph part(limits_, world_);
-  part.fill(inside, position(start()), position(goal()));
-  return part;
+  return part([&](Node i) { return length(start(), i) + length(i, goal()) <= length_m; });
+}
+
+CorrectionGraph CorrectionGraph::reliable() const {
+  return part([&](Node i) { return success_[i] >= 1; });
 }
 
 void CorrectionGraph::fill(std::span<const CorrectionPoint> points, const Vec3& start, const Vec3& goal) {

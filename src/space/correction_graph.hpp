@@ -28,6 +28,9 @@ class CorrectionGraph {
   /// Only the points inside the ellipsoid |start p| + |p goal| <= `length_m`. No route up to this length uses others.
   CorrectionGraph within(double length_m) const;
 
+  /// Only the points whose corrections never fail.
+  CorrectionGraph reliable() const;
+
   std::size_t size() const { return x_.size(); }
   Node point_count() const { return static_cast<Node>(x_.size() - 2); }
   Node start() const { return point_count(); }
@@ -138,6 +141,16 @@ class CorrectionGraph {
   };
 
   CorrectionGraph(const Navigation& limits, const World* world) : limits_(limits), world_(world) {}
+  /// The points for which keep(i).
+  template <class Keep>
+  CorrectionGraph part(Keep&& keep) const {
+    std::vector<CorrectionPoint> kept;
+    for (Node i = 0; i < point_count(); ++i)
+      if (keep(i)) kept.push_back(point(i));
+    CorrectionGraph part(limits_, world_);
+    part.fill(kept, position(start()), position(goal()));
+    return part;
+  }
   PointKind kind_of_point(Node i) const {
     return i < vertical_count_ || i == start() ? PointKind::vertical : PointKind::horizontal;
   }

@@ -45,7 +45,7 @@ Route example_turn() {
 Site turning_site(const Route& route) {
   Site site;
   site.mission = {.start = route.states.front().position, .goal = route.states.back().position, .tolerance_m = 50};
-  site.navigation = Navigation{.turn_model = TurnModel::arc_tangent, .turn_radius_m = kRadius};
+  site.navigation = Navigation{.theta = 1, .turn_model = TurnModel::arc_tangent, .turn_radius_m = kRadius};
   return site;
 }
 

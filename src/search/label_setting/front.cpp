@@ -116,6 +116,7 @@ FrontResult correction_front(const CorrectionGraph& graph, RunContext& run) {
   FrontSearch search{graph, run, {}};
   if (search.find_any())
     if (const auto fewest = search.find_fewest()) search.fill_in(*fewest);
+  if (!search.result.stopped) search.result.best.reset();
   return std::move(search.result);
 }
 

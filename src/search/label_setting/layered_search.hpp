@@ -1,7 +1,7 @@
 // The shortest routes with up to so many corrections, layer by layer.
 #pragma once
 
-#include "search/label_setting/correction_route.hpp"
+#include "search/label_setting/label.hpp"
 #include "search/label_setting/label_stairs.hpp"
 #include "search/label_setting/remaining.hpp"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "search/label_setting/correction_route.hpp"
+#include "search/label_setting/label.hpp"
 #include "search/label_setting/label_queue.hpp"
 
 namespace alate {

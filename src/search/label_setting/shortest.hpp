@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "alate/core/run_context.hpp"
-#include "search/label_setting/correction_route.hpp"
+#include "search/label_setting/label.hpp"
 
 namespace alate {
 
