@@ -18,7 +18,7 @@ std::vector<Parameter> walk_parameters() {
        .help = "Walks an iteration.",
        .source = "alate"},
       {.name = "iterations",
-       .default_value = whole(40),
+       .default_value = whole(150),
        .min = 1,
        .max = 1e9,
        .help = "Iterations where neither a budget nor a time limit is given.",
