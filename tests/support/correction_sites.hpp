@@ -28,7 +28,8 @@ inline Site drawn_site(CorrectionLaw law, int points, std::uint64_t seed) {
 /// As published: limits by `law`, points from the shared data.
 inline CorrectionField contest_field(CorrectionLaw law) {
   CorrectionField field = draw_corrections(law, 0, 1);
-  std::ifstream file(shared_data(law == CorrectionLaw::set1 ? "correction-points/set1.csv" : "correction-points/set2.csv"));
+  std::ifstream file(
+      shared_data(law == CorrectionLaw::set1 ? "correction-points/set1.csv" : "correction-points/set2.csv"));
   std::string line;
   std::getline(file, line);
   while (std::getline(file, line)) {
