@@ -25,6 +25,19 @@ inline Site drawn_site(CorrectionLaw law, int points, std::uint64_t seed) {
   return correction_site(draw_corrections(law, points, seed));
 }
 
+/// With a cylinder across the direct way that must not be entered.
+inline Site cored_site() {
+  Site site = drawn_site(CorrectionLaw::set1, 1200, 5);
+  const Vec3 middle = (site.mission.start + site.mission.goal) / 2;
+  site.threats.push_back({.name = "core",
+                          .shape = Threat::Shape::cylinder,
+                          .center = {middle.x(), middle.y(), 0},
+                          .radius_m = 0,
+                          .core_m = 12'000,
+                          .top_m = 20'000});
+  return site;
+}
+
 /// As published: limits by `law`, points from the shared data.
 inline CorrectionField contest_field(CorrectionLaw law) {
   CorrectionField field = draw_corrections(law, 0, 1);
