@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "space/choices.hpp"
@@ -18,10 +19,18 @@ struct Ant {
   std::vector<float> costs;    ///< J of every node.
   std::vector<TrailKey> dead;  ///< Nodes that it stepped back from.
   std::size_t index = 0;       ///< In its colony.
+  double sum = 0;              ///< Of costs.
   double cost = kInfinity;     ///< J_c, eq. (37); infinite unless it arrived.
   Choices choices;             ///< Scratch, kept so that nothing is allocated while walking.
 
   bool arrived() const { return cost < kInfinity; }
+
+  void move(std::uint32_t action, TrailKey node, float node_cost) {
+    actions.push_back(action);
+    keys.push_back(node);
+    costs.push_back(node_cost);
+    sum += static_cast<double>(node_cost);
+  }
 
   /// Takes back the last move, which is not tried again.
   void step_back() {
@@ -29,6 +38,7 @@ struct Ant {
     actions.pop_back();
     keys.pop_back();
     costs.pop_back();
+    sum_up();
   }
 
   /// Starts with the first `moves` of another ant.
@@ -37,6 +47,7 @@ struct Ant {
     actions.assign(other.actions.begin(), other.actions.begin() + count);
     keys.assign(other.keys.begin(), other.keys.begin() + count);
     costs.assign(other.costs.begin(), other.costs.begin() + count);
+    sum_up();
   }
 
   void restart() {
@@ -44,8 +55,13 @@ struct Ant {
     keys.clear();
     costs.clear();
     dead.clear();
+    sum = 0;
     cost = kInfinity;
   }
+
+ private:
+  /// Anew, so that the sum is always that of the costs in order.
+  void sum_up() { sum = std::accumulate(costs.begin(), costs.end(), 0.0); }
 };
 
 /// What a deposit sees of one iteration.

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 #include "aco/ant.hpp"
 #include "aco/ant_space.hpp"
@@ -111,7 +110,7 @@ class Colony {
       weigh_choices(state, ant);
       if (const auto taken = choose(state, ant, stream)) {
         state = *taken;
-        if (space_.is_goal(state)) ant.cost = cost_of(ant);
+        if (space_.is_goal(state)) ant.cost = ant.sum;  // eq. (37)
         if (ant.arrived() || is_hopeless(ant)) return;
         continue;
       }
@@ -121,14 +120,11 @@ class Colony {
     }
   }
 
-  /// Sum of J over the nodes: eq. (37).
-  static double cost_of(const Ant& ant) { return std::accumulate(ant.costs.begin(), ant.costs.end(), 0.0); }
-
   /// Would the ant, as far as the guide knows, be much dearer than the best so far?
   bool is_hopeless(const Ant& ant) const {
     if (!best_.arrived() || options_.give_up == 0) return false;
     const auto ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
-    return cost_of(ant) + ahead > best_.cost * (1 + options_.give_up);
+    return ant.sum + ahead > best_.cost * (1 + options_.give_up);
   }
 
   typename Space::State state_after(const std::vector<std::uint32_t>& actions) const {
@@ -142,8 +138,7 @@ class Colony {
     Choices& choices = ant.choices;
     space_.look(state, choices);
     policies_.heuristic(choices, ant.index);
-    policies_.trail.read(choices);  // eq. (35)
-    multiply_by_trail(options_.alpha, choices);
+    policies_.trail.weigh(options_.alpha, choices);
   }
 
   /// Draws from K and moves the ant; nothing where K is empty.
@@ -153,11 +148,9 @@ class Colony {
       const std::size_t k = policies_.transition(choices, stream);
       if (k >= space_.actions()) return std::nullopt;
       typename Space::State ahead = space_.next(state, k);
-      const TrailKey node = choices.key[k];
+      const TrailKey node = policies_.trail.name(choices.x[k], choices.y[k], choices.z[k]);
       if (!contains(ant.keys, node) && !contains(ant.dead, node) && space_.is_free(state, ahead)) {
-        ant.actions.push_back(static_cast<std::uint32_t>(k));
-        ant.keys.push_back(node);
-        ant.costs.push_back(choices.cost[k]);
+        ant.move(static_cast<std::uint32_t>(k), node, choices.cost[k]);
         return ahead;
       }
       choices.weight[k] = 0;

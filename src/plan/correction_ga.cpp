@@ -52,10 +52,12 @@ class CorrectionGa {
   }
 
   Evolved breed_strings(const CorrectionTask& task, const RoutePrice& price, RunContext& run) const {
-    const Successors successors(task.graph, task.to_go, count("candidates"), run.executor());
+    const RelaxedToGo to_go(task.graph, RelaxedToGo::Extent::everywhere, run);
+    if (to_go.stopped()) return {};
+    const Successors successors(task.graph, to_go, count("candidates"), run.executor());
     const StringWindows windows(task.graph, successors, price,
                                 {.most_old = count("window_old"), .most_new = count("window_new")});
-    const StringBreeder breeder(task.graph, task.to_go, successors, windows, price,
+    const StringBreeder breeder(task.graph, to_go, successors, windows, price,
                                 {.crossover = values_.number("crossover"),
                                  .mutation = values_.number("mutation"),
                                  .polish = values_.number("polish"),

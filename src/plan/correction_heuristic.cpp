@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "space/correction_route.hpp"
+#include "space/relaxed_to_go.hpp"
 
 namespace alate {
 
@@ -51,10 +52,8 @@ class Wrapping {
   static constexpr double kHair = 1e-12;  ///< A sum of legs in another order.
 
   void search_in(const CorrectionGraph& graph, const CorrectionSearch& search) {
-    const RelaxedToGo to_go(graph, RelaxedToGo::Extent::everywhere, run_);
-    if (to_go.stopped()) return;
     const double range_m = problem_.vehicle.range_m.value_or(kInfinite_m);
-    CorrectionFound found = search({.graph = graph, .to_go = to_go, .price = price_of(problem_, graph)});
+    CorrectionFound found = search({.graph = graph, .price = price_of(problem_, graph)});
     bound_m_ = std::max(bound_m_, found.bound_m);
     plan_.history = std::move(found.history);
     plan_.counters = {{"candidates", found.candidates}, {"expansions", found.expansions}};
@@ -69,7 +68,7 @@ class Wrapping {
                               length_m, range_m);
       return;
     }
-    plan_.outcome = Outcome::feasible;
+    plan_.outcome = length_m * (1 - kHair) <= bound_m_ ? Outcome::optimal : Outcome::feasible;
     plan_.route = route_through(problem_.world.site(), ids_of(graph, found.points)).route;
     plan_.cost = problem_.objective.length * length_m;
   }

@@ -7,7 +7,6 @@
 
 #include "alate/plan/planner.hpp"
 #include "space/point_string.hpp"
-#include "space/relaxed_to_go.hpp"
 
 namespace alate {
 
@@ -18,8 +17,7 @@ std::string heuristic_refusal(const Problem& problem);
 /// What a search is given.
 struct CorrectionTask {
   const CorrectionGraph& graph;
-  const RelaxedToGo& to_go;  ///< Everywhere.
-  RoutePrice price;          ///< As the problem prefers; metres.
+  RoutePrice price;  ///< As the problem prefers; metres.
 };
 
 /// What it found. Nodes are those of the task's graph.

@@ -7,5 +7,6 @@ namespace alate {
 
 PlannerEntry label_setting_entry();
 PlannerEntry correction_ga_entry();
+PlannerEntry sparse_astar_entry();
 
 }  // namespace alate

@@ -36,6 +36,7 @@ const Registry& builtin_planners() {
     registry.add(greedy_entry());
     registry.add(attitude_aco_entry());
     registry.add(label_setting_entry());
+    registry.add(sparse_astar_entry());
     registry.add(correction_ga_entry());
     return registry;
   }();

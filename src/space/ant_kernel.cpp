@@ -11,134 +11,122 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-const float* aligned(const AlignedFloats& array) {
-  return static_cast<const float*>(__builtin_assume_aligned(array.data(), kSimdBytes));
-}
-float* aligned(AlignedFloats& array) { return static_cast<float*>(__builtin_assume_aligned(array.data(), kSimdBytes)); }
-
-/// Tells the compiler that there is no rest.
-std::size_t whole(const AlignedFloats& array) { return array.size() & ~std::size_t{15}; }
-
 struct Axis {
   float f0, f1, f2, from;
+
+  float end(float bx, float by, float bz) const { return from + (f0 * bx + f1 * by + f2 * bz); }
 };
 
-ALATE_SIMD void place_along(const MoveMatrices& moves, const Axis& axis, AlignedFloats& end) {
-  const std::size_t count = whole(end);
-  const float* __restrict bx = aligned(moves[0]);
-  const float* __restrict by = aligned(moves[3]);
-  const float* __restrict bz = aligned(moves[6]);
-  float* __restrict x = aligned(end);
-  const auto [f0, f1, f2, from] = axis;
-  for (std::size_t k = 0; k < count; ++k) x[k] = from + (f0 * bx[k] + f1 * by[k] + f2 * bz[k]);
-}
+/// The part of the node model that knows of the goal, prepared for many nodes.
+struct GoalCosts {
+  float x, y, z, fuel, tolerance, half_step, per_step;
 
-ALATE_SIMD void price_goal(const NodeModel& model, Choices& out) {
-  const std::size_t count = whole(out.x);
-  const float* __restrict x = aligned(out.x);
-  const float* __restrict y = aligned(out.y);
-  const float* __restrict z = aligned(out.z);
-  float* __restrict to_goal = aligned(out.to_goal);
-  float* __restrict cost = aligned(out.cost);
-  const float gx = model.goal_x;
-  const float gy = model.goal_y;
-  const float gz = model.goal_z;
-  const float fuel = model.fuel;
-  for (std::size_t k = 0; k < count; ++k) {
-    const float dx = x[k] - gx;
-    const float dy = y[k] - gy;
-    const float dz = z[k] - gz;
-    const float d = std::sqrt(dx * dx + dy * dy + dz * dz);
-    to_goal[k] = d;
-    cost[k] = fuel * d;  // eq. (33)
+  explicit GoalCosts(const NodeModel& model)
+      : x(model.goal_x),
+        y(model.goal_y),
+        z(model.goal_z),
+        fuel(model.fuel),
+        tolerance(model.tolerance),
+        half_step(0.5F * model.step),
+        per_step(1 / model.step) {}
+
+  float distance(float px, float py, float pz) const {
+    const float dx = px - x;
+    const float dy = py - y;
+    const float dz = pz - z;
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
   }
-}
 
-/// node_bound of lower_bound.hpp: whole steps until within the tolerance, but no farther than the goal.
-ALATE_SIMD void guide_to_goal(const NodeModel& model, Choices& out) {
-  const std::size_t count = whole(out.x);
-  const float* __restrict to_goal = aligned(out.to_goal);
-  float* __restrict guide = aligned(out.guide);
-  const float fuel = model.fuel;
-  const float half_step = 0.5F * model.step;
-  const float per_step = 1 / model.step;
-  const float tolerance = model.tolerance;
-  for (std::size_t k = 0; k < count; ++k) {
-    const float d = to_goal[k];
+  /// node_bound of lower_bound.hpp: whole steps until within the tolerance, but no farther than the goal.
+  float guide(float d) const {
     const float left = (d - tolerance) * per_step;
     const float far = 0.5F * (left + std::abs(left));  // max(0, left) without a branch
     const auto full = static_cast<float>(static_cast<int>(far));
     const float needed = full + (far > full ? 1.0F : 0.0F);
     const auto fit = static_cast<float>(static_cast<int>(d * per_step));
     const float counted = needed < fit ? needed : fit;
-    guide[k] = fuel * (counted * d - half_step * counted * (counted + 1));
+    return fuel * (counted * d - half_step * counted * (counted + 1));
   }
+};
+
+ALATE_SIMD void place_along(const MoveMatrices& moves, const Axis& axis, AlignedFloats& ends) {
+  const auto body = [a = axis](float& end, float bx, float by, float bz) { end = a.end(bx, by, bz); };
+  for_each_lane(body, ends, moves[0], moves[3], moves[6]);
+}
+
+/// What does not depend on threats, in one pass: where the choices lead, J and h.
+ALATE_SIMD void place_and_price(const NodeModel& model, const MoveMatrices& moves, const std::array<Axis, 3>& axes,
+                                Choices& out) {
+  const GoalCosts goal(model);
+  const auto body = [=, ax = axes[0], ay = axes[1], az = axes[2]](float& x, float& y, float& z, float& to_goal,
+                                                                  float& cost, float& guide, float bx, float by,
+                                                                  float bz) {
+    // Written only once all is known: what is written might have to be read again.
+    const float px = ax.end(bx, by, bz);
+    const float py = ay.end(bx, by, bz);
+    const float pz = az.end(bx, by, bz);
+    const float d = goal.distance(px, py, pz);
+    const float ahead = goal.guide(d);
+    x = px;
+    y = py;
+    z = pz;
+    to_goal = d;
+    cost = goal.fuel * d;  // eq. (33)
+    guide = ahead;
+  };
+  for_each_lane(body, out.x, out.y, out.z, out.to_goal, out.cost, out.guide, moves[0], moves[3], moves[6]);
+}
+
+ALATE_SIMD void price_goal(const NodeModel& model, Choices& out) {
+  const auto body = [goal = GoalCosts(model)](float& to_goal, float& cost, float& guide, float x, float y, float z) {
+    const float d = goal.distance(x, y, z);
+    const float ahead = goal.guide(d);
+    to_goal = d;
+    cost = goal.fuel * d;
+    guide = ahead;
+  };
+  for_each_lane(body, out.to_goal, out.cost, out.guide, out.x, out.y, out.z);
 }
 
 ALATE_SIMD void price_threat(const NodeModel::Sphere& sphere, Choices& out) {
-  const std::size_t count = whole(out.x);
-  const float* __restrict x = aligned(out.x);
-  const float* __restrict y = aligned(out.y);
-  const float* __restrict z = aligned(out.z);
-  float* __restrict cost = aligned(out.cost);
-  const auto [cx, cy, cz, radius, weight, use_z, floor, top] = sphere;
-  for (std::size_t k = 0; k < count; ++k) {
-    const float dx = x[k] - cx;
-    const float dy = y[k] - cy;
-    const float dz = (z[k] - cz) * use_z;
-    const float depth = radius - std::sqrt(dx * dx + dy * dy + dz * dz);
-    const bool inside = (depth > 0) & (z[k] >= floor) & (z[k] <= top);
-    cost[k] += inside ? weight * depth : 0.0F;  // eq. (34)
-  }
+  const auto body = [s = sphere](float& cost, float x, float y, float z) {
+    const float dx = x - s.x;
+    const float dy = y - s.y;
+    const float dz = (z - s.z) * s.use_z;
+    const float depth = s.radius - std::sqrt(dx * dx + dy * dy + dz * dz);
+    const bool inside = (depth > 0) & (z >= s.floor) & (z <= s.top);
+    cost += inside ? s.weight * depth : 0.0F;  // eq. (34)
+  };
+  for_each_lane(body, out.cost, out.x, out.y, out.z);
 }
 
 ALATE_SIMD void turn_row(const MoveMatrices& moves, const Axis& row, std::size_t first, MoveMatrices& out) {
-  const std::size_t count = whole(out[first]);
-  const auto [f0, f1, f2, unused] = row;
-  for (std::size_t column = 0; column < 3; ++column) {
-    const float* __restrict bx = aligned(moves[column]);
-    const float* __restrict by = aligned(moves[3 + column]);
-    const float* __restrict bz = aligned(moves[6 + column]);
-    float* __restrict g = aligned(out[first + column]);
-    for (std::size_t k = 0; k < count; ++k) g[k] = f0 * bx[k] + f1 * by[k] + f2 * bz[k];
-  }
+  const auto body = [a = row](float& g, float bx, float by, float bz) { g = a.f0 * bx + a.f1 * by + a.f2 * bz; };
+  for (std::size_t column = 0; column < 3; ++column)
+    for_each_lane(body, out[first + column], moves[column], moves[3 + column], moves[6 + column]);
 }
 
 /// Where the node at body coordinates `q` lies, in `nodes`.
-ALATE_SIMD void place_tail(const MoveMatrices& g, const TailNode& q, const Choices& ends, Choices& nodes) {
-  const std::size_t count = whole(ends.x);
-  const std::array<const AlignedFloats*, 3> from{&ends.x, &ends.y, &ends.z};
-  const std::array<AlignedFloats*, 3> to{&nodes.x, &nodes.y, &nodes.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float* __restrict gx = aligned(g[3 * i]);
-    const float* __restrict gy = aligned(g[3 * i + 1]);
-    const float* __restrict gz = aligned(g[3 * i + 2]);
-    const float* __restrict start = aligned(*from[i]);
-    float* __restrict end = aligned(*to[i]);
-    const auto [qx, qy, qz] = q;
-    for (std::size_t k = 0; k < count; ++k) end[k] = start[k] + (gx[k] * qx + gy[k] * qy + gz[k] * qz);
-  }
+ALATE_SIMD void place_tail(const MoveMatrices& g, const TailNode& tail, const Choices& ends, Choices& nodes) {
+  const auto body = [q = tail](float& end, float start, float gx, float gy, float gz) {
+    end = start + (gx * q.x + gy * q.y + gz * q.z);
+  };
+  for_each_lane(body, nodes.x, ends.x, g[0], g[1], g[2]);
+  for_each_lane(body, nodes.y, ends.y, g[3], g[4], g[5]);
+  for_each_lane(body, nodes.z, ends.z, g[6], g[7], g[8]);
 }
 
 ALATE_SIMD float add_sums(float tolerance, const Choices& nodes, TailSums& sums) {
-  const std::size_t count = whole(nodes.x);
-  const float* __restrict cost = aligned(nodes.cost);
-  const float* __restrict to_goal = aligned(nodes.to_goal);
-  const float* __restrict guide = aligned(nodes.guide);
-  float* __restrict sum = aligned(sums.sum);
-  float* __restrict total = aligned(sums.total);
-  for (std::size_t k = 0; k < count; ++k) {
-    sum[k] += cost[k];
-    const bool first_arrival = (to_goal[k] <= tolerance) & (total[k] == kNever);
-    total[k] = first_arrival ? sum[k] : total[k];
-  }
   // Bits of floats from 0 up are in order, and least whole numbers vectorise.
-  std::int32_t least = std::bit_cast<std::int32_t>(kNever);
-  for (std::size_t k = 0; k < count; ++k) {
-    const float reachable = sum[k] + guide[k];
-    const auto open = std::bit_cast<std::int32_t>(total[k] == kNever ? reachable : kNever);
+  auto least = std::bit_cast<std::int32_t>(kNever);
+  const auto body = [tolerance, &least](float& sum, float& total, float cost, float to_goal, float guide) {
+    sum += cost;
+    const bool first_arrival = (to_goal <= tolerance) & (total == kNever);
+    total = first_arrival ? sum : total;
+    const auto open = std::bit_cast<std::int32_t>(total == kNever ? sum + guide : kNever);
     least = open < least ? open : least;
-  }
+  };
+  for_each_lane(body, sums.sum, sums.total, nodes.cost, nodes.to_goal, nodes.guide);
   return std::bit_cast<float>(least);
 }
 
@@ -153,6 +141,16 @@ bool reaches(const NodeModel::Sphere& sphere, const AntPose& pose, float step) {
 
 Axis axis_of(const AntPose& pose, std::size_t i) {
   return {pose.attitude[3 * i], pose.attitude[3 * i + 1], pose.attitude[3 * i + 2], pose.position[i]};
+}
+
+/// The columns scaled by the step, so that a choice costs nine multiplications.
+std::array<Axis, 3> step_axes(const AntPose& pose, float step) {
+  std::array<Axis, 3> axes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [f0, f1, f2, from] = axis_of(pose, i);
+    axes[i] = {step * f0, step * f1, step * f2, from};
+  }
+  return axes;
 }
 
 }  // namespace
@@ -200,23 +198,20 @@ NodeModel::NodeModel(const Site& site, const std::vector<NodeThreat>& node_threa
 }
 
 void place_choices(const MoveMatrices& moves, const AntPose& pose, float step, Choices& out) {
-  AlignedFloats* const ends[] = {&out.x, &out.y, &out.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    auto [f0, f1, f2, from] = axis_of(pose, i);
-    place_along(moves, {step * f0, step * f1, step * f2, from}, *ends[i]);
-  }
+  const std::array<Axis, 3> axes = step_axes(pose, step);
+  place_along(moves, axes[0], out.x);
+  place_along(moves, axes[1], out.y);
+  place_along(moves, axes[2], out.z);
 }
 
 void price_choices(const NodeModel& model, Choices& out) {
   price_goal(model, out);
-  guide_to_goal(model, out);
   // The threats are the outer loop: with them inside, the choices would not vectorise.
   for (const NodeModel::Sphere& sphere : model.threats) price_threat(sphere, out);
 }
 
-void price_step(const NodeModel& model, const AntPose& pose, Choices& out) {
-  price_goal(model, out);
-  guide_to_goal(model, out);
+void look_one_step(const NodeModel& model, const MoveMatrices& moves, const AntPose& pose, Choices& out) {
+  place_and_price(model, moves, step_axes(pose, model.step), out);
   for (const NodeModel::Sphere& sphere : model.threats)
     if (reaches(sphere, pose, model.step)) price_threat(sphere, out);
 }

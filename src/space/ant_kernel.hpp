@@ -1,7 +1,7 @@
 // The inner loops of the attitude lattice for ants: all choices of one state, in single precision.
 //
-// Plain loops over padded, aligned arrays, compiled twice (simd.hpp). No contraction and no reassociation, so the bits
-// are the same. 1 to 1.5 ns a choice with three threats.
+// Plain loops over padded, aligned arrays, compiled thrice (simd.hpp). No contraction and no reassociation, so the bits
+// are the same. About 1 ns a choice with three threats.
 #pragma once
 
 #include <array>
@@ -44,8 +44,8 @@ struct NodeModel {
 /// J_k = fuel * distance + threat: eqs. (33), (34); h_k = node_bound (lower_bound.hpp).
 void price_choices(const NodeModel& model, Choices& out);
 
-/// The same for the choices of one step, which leaves out threats that are too far away to count.
-void price_step(const NodeModel& model, const AntPose& pose, Choices& out);
+/// place_choices and price_choices of one step in one pass, which leaves out threats that are too far away to count.
+void look_one_step(const NodeModel& model, const MoveMatrices& moves, const AntPose& pose, Choices& out);
 
 /// Attitudes after each move: F B_k.
 void turn_moves(const MoveMatrices& moves, const AntPose& pose, MoveMatrices& out);

@@ -32,8 +32,7 @@ void AttitudeAnts::look(const State& state, Choices& out) const {
   out.resize(actions());
   if (single_) {
     const AntPose pose(state.position - site_.mission.start, state.attitude);
-    place_choices(moves_, pose, step_m_, out);
-    price_step(nodes_, pose, out);
+    look_one_step(nodes_, moves_, pose, out);
   } else {
     look_in_double(state, out);
   }
@@ -79,17 +78,17 @@ void AttitudeAnts::price_tails(const Branch& branch, TailPrices& out) const {
   const AntPose pose(branch.state.position - site_.mission.start, branch.state.attitude);
   out.ends.resize(actions());
   out.nodes.resize(actions());
-  place_choices(moves_, pose, step_m_, out.ends);
   turn_moves(moves_, pose, out.attitudes);
   if (single_) {
     price_nodes(branch, pose, out);
   } else {
+    place_choices(moves_, pose, step_m_, out.ends);
     price_flights(branch, out);
   }
 }
 
 void AttitudeAnts::price_nodes(const Branch& branch, const AntPose& pose, TailPrices& out) const {
-  price_step(nodes_, pose, out.ends);
+  look_one_step(nodes_, moves_, pose, out.ends);
   close_padding(actions(), out.ends);
   float least = start_tails(static_cast<float>(branch.cost_before), nodes_.tolerance, out.ends, out.sums);
   for (const TailNode& node : branch.nodes) {

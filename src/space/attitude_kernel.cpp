@@ -11,14 +11,6 @@ namespace {
 /// Turn and slope limits hold to rounding: an angle of the set that equals a limit is allowed.
 constexpr double kSlack = 1e-9;
 
-/// An aligned array of the structure, for loops that the compiler can vectorise.
-const double* aligned(const AlignedDoubles& array) {
-  return static_cast<const double*>(__builtin_assume_aligned(array.data(), kSimdBytes));
-}
-double* aligned(AlignedDoubles& array) {
-  return static_cast<double*>(__builtin_assume_aligned(array.data(), kSimdBytes));
-}
-
 /// One row of F and one coordinate of the position.
 struct Axis {
   double f0, f1, f2;
@@ -27,34 +19,31 @@ struct Axis {
 
 ALATE_SIMD void place_along(const RotationSet& rotations, const Axis& axis, double step_m, AlignedDoubles& direction,
                             AlignedDoubles& end) {
-  const std::size_t count = rotations.size();
-  const double* __restrict bx = aligned(rotations.forward_x());
-  const double* __restrict by = aligned(rotations.forward_y());
-  const double* __restrict bz = aligned(rotations.forward_z());
-  double* __restrict u = aligned(direction);
-  double* __restrict x = aligned(end);
-  const auto [f0, f1, f2, from] = axis;
-  for (std::size_t k = 0; k < count; ++k) {
-    u[k] = f0 * bx[k] + f1 * by[k] + f2 * bz[k];
-    x[k] = from + step_m * u[k];
-  }
+  const auto body = [a = axis, step_m](double& u, double& x, double bx, double by, double bz) {
+    u = a.f0 * bx + a.f1 * by + a.f2 * bz;
+    x = a.from + step_m * u;
+  };
+  for_each_lane(body, direction, end, rotations.forward_x(), rotations.forward_y(), rotations.forward_z());
 }
 
-ALATE_SIMD void measure_to(const Vec3& goal, Candidates& out) {
-  const std::size_t count = out.size();
-  const double* __restrict x = aligned(out.x);
-  const double* __restrict y = aligned(out.y);
-  const double* __restrict z = aligned(out.z);
-  double* __restrict to_goal = aligned(out.to_goal);
-  const double gx = goal.x();
-  const double gy = goal.y();
-  const double gz = goal.z();
-  for (std::size_t k = 0; k < count; ++k) {
-    const double dx = x[k] - gx;
-    const double dy = y[k] - gy;
-    const double dz = z[k] - gz;
-    to_goal[k] = std::sqrt(dx * dx + dy * dy + dz * dz);
+/// Distance to a point, or to the axis through it.
+struct Distance {
+  double x, y, z;
+  double use_z = 1;
+
+  double operator()(double px, double py, double pz) const {
+    const double dx = px - x;
+    const double dy = py - y;
+    const double dz = (pz - z) * use_z;
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
   }
+};
+
+ALATE_SIMD void measure_to(const Vec3& goal, Candidates& out) {
+  const auto body = [to = Distance{goal.x(), goal.y(), goal.z()}](double& to_goal, double x, double y, double z) {
+    to_goal = to(x, y, z);
+  };
+  for_each_lane(body, out.to_goal, out.x, out.y, out.z);
 }
 
 }  // namespace
@@ -99,18 +88,16 @@ struct LegTest {
 }  // namespace
 
 ALATE_SIMD void set_base_costs(const BaseCosts& base, Candidates& out) {
-  const std::size_t count = out.size();
-  const double* __restrict ux = aligned(out.ux);
-  const double* __restrict uy = aligned(out.uy);
-  const double* __restrict uz = aligned(out.uz);
-  double* __restrict cost = aligned(out.cost);
   const double s = base.step_m;
+  const double leg_cost = base.leg_cost;
+  const double climb_cost = base.climb_cost;
   const LegTest test(base);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double rise_m = uz[k] > 0 ? s * uz[k] : 0.0;
-    const double price = base.leg_cost + base.climb_cost * rise_m;
-    cost[k] = test.passes(s * ux[k], s * uy[k], uz[k]) ? price : kInfinity;
-  }
+  const auto body = [=](double& cost, double ux, double uy, double uz) {
+    const double rise_m = uz > 0 ? s * uz : 0.0;
+    const double price = leg_cost + climb_cost * rise_m;
+    cost = test.passes(s * ux, s * uy, uz) ? price : kInfinity;
+  };
+  for_each_lane(body, out.cost, out.ux, out.uy, out.uz);
 }
 
 bool within_limits(const BaseCosts& base, const Vec3& leg) {
@@ -118,27 +105,17 @@ bool within_limits(const BaseCosts& base, const Vec3& leg) {
 }
 
 ALATE_SIMD void add_node_costs(double fuel, const std::vector<NodeThreat>& threats, Candidates& out) {
-  const std::size_t count = out.size();
-  const double* __restrict x = aligned(out.x);
-  const double* __restrict y = aligned(out.y);
-  const double* __restrict z = aligned(out.z);
-  const double* __restrict to_goal = aligned(out.to_goal);
-  double* __restrict cost = aligned(out.cost);
-  for (std::size_t k = 0; k < count; ++k) cost[k] += fuel * to_goal[k];
+  for_each_lane([fuel](double& cost, double to_goal) { cost += fuel * to_goal; }, out.cost, out.to_goal);
   // The threats are the outer loop: with them inside, the candidates would not vectorise.
   for (const NodeThreat& threat : threats) {
-    const auto [center, radius_m, weight, use_z, floor_m, top_m] = threat;
-    const double cx = center.x();
-    const double cy = center.y();
-    const double cz = center.z();
-    for (std::size_t k = 0; k < count; ++k) {
-      const double dx = x[k] - cx;
-      const double dy = y[k] - cy;
-      const double dz = (z[k] - cz) * use_z;
-      const double depth = radius_m - std::sqrt(dx * dx + dy * dy + dz * dz);
-      const bool inside = (depth > 0) & (z[k] >= floor_m) & (z[k] <= top_m);
-      cost[k] += inside ? weight * depth : 0.0;
-    }
+    const Distance from{threat.center.x(), threat.center.y(), threat.center.z(), threat.use_z};
+    const auto body = [from, radius_m = threat.radius_m, weight = threat.weight, floor_m = threat.floor_m,
+                       top_m = threat.top_m](double& cost, double x, double y, double z) {
+      const double depth = radius_m - from(x, y, z);
+      const bool inside = (depth > 0) & (z >= floor_m) & (z <= top_m);
+      cost += inside ? weight * depth : 0.0;
+    };
+    for_each_lane(body, out.cost, out.x, out.y, out.z);
   }
 }
 

@@ -1,7 +1,7 @@
 // The inner loops of the attitude lattice over all candidates of one expansion.
 //
-// Plain loops over aligned arrays, compiled for x86-64 and x86-64-v3 and picked at start. No contraction and no
-// reassociation, so both give the same bits.
+// Plain loops over aligned arrays, compiled thrice (simd.hpp). No contraction and no reassociation, so the bits are the
+// same.
 #pragma once
 
 #include <vector>

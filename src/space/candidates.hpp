@@ -1,15 +1,12 @@
 // What can be done next from one state: a caller-owned structure of arrays, filled again at every expansion.
 #pragma once
 
-#include <boost/align/aligned_allocator.hpp>
 #include <cstddef>
 #include <limits>
-#include <vector>
+
+#include "space/simd.hpp"
 
 namespace alate {
-
-inline constexpr std::size_t kSimdBytes = 64;
-using AlignedDoubles = std::vector<double, boost::alignment::aligned_allocator<double, kSimdBytes>>;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

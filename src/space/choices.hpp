@@ -2,22 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/align/aligned_allocator.hpp>
 #include <cstdint>
 #include <vector>
 
 #include "space/candidates.hpp"
 
 namespace alate {
-
-using AlignedKeys = std::vector<std::uint64_t, boost::alignment::aligned_allocator<std::uint64_t, kSimdBytes>>;
-using AlignedFloats = std::vector<float, boost::alignment::aligned_allocator<float, kSimdBytes>>;
-
-/// Length of arrays of `count` floats that vector loops can run over without a rest.
-constexpr std::size_t padded_size(std::size_t count) {
-  constexpr std::size_t kLanes = kSimdBytes / sizeof(float);
-  return (count + kLanes - 1) / kLanes * kLanes;
-}
 
 /// Index k belongs to action k. Arrays are padded with choices of infinite cost. Places are relative to the start of
 /// the flight, so that single precision holds: 4e-6 at 40 units, 2 mm at 30 km.
@@ -26,16 +16,14 @@ struct Choices {
   AlignedFloats to_goal;  ///< Straight distance left from there.
   AlignedFloats cost;     ///< J_k; infinite: not in K by what costs little to test.
   AlignedFloats guide;    ///< h_k, estimated cost from there to the goal.
-  AlignedFloats trail;    ///< tau_k.
+  AlignedFloats trail;    ///< tau_k; what a store keeps for it until the levels are read.
   AlignedFloats weight;   ///< Chance of being chosen, not normalised.
-  AlignedKeys key;        ///< Name of the place where the leg ends, as the trail model calls it.
   Candidates wide;        ///< For models that are priced in double precision first.
 
   /// Nothing is allocated once the size has been reached.
   void resize(std::size_t count) {
     for (AlignedFloats* array : {&x, &y, &z, &to_goal, &cost, &guide, &trail, &weight})
       array->resize(padded_size(count));
-    key.resize(padded_size(count));
   }
 };
 

@@ -63,7 +63,7 @@ TEST(Weights, NothingInKGivesNoWeightAndNoDraw) {
 TEST(Weights, TheTrailMultipliesAlphaTimes) {
   Choices choices = some_choices();
   weigh_by_power(0, choices);
-  multiply_by_trail(2, choices);
+  multiply_by_trail(TrailLevels({}), 2, choices);  // new levels are as stored
   for (std::size_t k = 1; k < 7; ++k) EXPECT_FLOAT_EQ(choices.weight[k], choices.trail[k] * choices.trail[k]);
 }
 

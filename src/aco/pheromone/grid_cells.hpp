@@ -21,8 +21,8 @@ class GridCells {
   /// Nothing if the box has too many cells of this size.
   static std::optional<GridCells> over(const ReachBox& box, float cell_m);
 
-  void name(Choices& choices) const;
-  TrailKey name(float x, float y, float z) const;
+  void find_all(Choices& choices) const;
+  TrailKey name(float x, float y, float z) const { return static_cast<std::uint32_t>(layout_.index(x, y, z)); }
   StoredTrail find(TrailKey key) const { return cells_[key]; }
   StoredTrail& at(TrailKey key) {
     if (cells_[key] == 0) known_.push_back(key);
@@ -44,16 +44,29 @@ class GridCells {
     return Cells(static_cast<StoredTrail*>(std::calloc(count, sizeof(StoredTrail))));
   }
   // NOLINTEND(cppcoreguidelines-no-malloc, modernize-avoid-c-arrays)
-  struct Axis {
-    float from = 0;
-    float per_cell = 0;
-    float last = 0;  ///< Greatest index.
+  struct Layout {
+    struct Axis {
+      float from = 0;
+      float per_cell = 0;
+      float last = 0;  ///< Greatest index.
+
+      std::int32_t index(float value) const {
+        const float cell = (value - from) * per_cell;
+        const float above = cell > 0 ? cell : 0;
+        return static_cast<std::int32_t>(above < last ? above : last);
+      }
+    };
+    Axis x, y, z;
+    std::int32_t columns = 0;
+    std::int32_t layer = 0;  ///< Cells of one layer.
+
+    std::int32_t index(float px, float py, float pz) const {
+      return x.index(px) + columns * y.index(py) + layer * z.index(pz);
+    }
   };
   GridCells() = default;
 
-  Axis x_, y_, z_;
-  std::int32_t columns_ = 0;
-  std::int32_t layer_ = 0;  ///< Cells of one layer.
+  Layout layout_;
   Cells cells_;
   std::vector<TrailKey> known_;
 };

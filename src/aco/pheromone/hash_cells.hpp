@@ -18,9 +18,9 @@ class HashCells {
  public:
   explicit HashCells(double cell_m) : per_cell_(1 / cell_m), slots_(kFirstSlots), filter_(kFilterWords) {}
 
-  void name(Choices& choices) const {
-    for (std::size_t k = 0; k < choices.key.size(); ++k)
-      choices.key[k] = name(choices.x[k], choices.y[k], choices.z[k]);
+  void find_all(Choices& choices) const {
+    for (std::size_t k = 0; k < choices.trail.size(); ++k)
+      choices.trail[k] = find(name(choices.x[k], choices.y[k], choices.z[k]));
   }
 
   /// key = round(coordinate / cell).

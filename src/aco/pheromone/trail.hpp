@@ -1,6 +1,7 @@
 // The pheromone model: levels on the places of a store.
 //
-// A store names places (`name`), finds the cell of a name (`find`, never changes anything) and makes one (`at`).
+// A store names places (`name`), finds the cell of a name (`find`) or of all choices (`find_all`; neither changes the
+// store) and makes one (`at`).
 // Ants only read, at the same time; changes come between iterations, from one thread and in order of ants.
 #pragma once
 
@@ -8,12 +9,13 @@
 
 #include "aco/ant.hpp"
 #include "aco/pheromone/levels.hpp"
+#include "aco/weights.hpp"
 
 namespace alate {
 
 template <class T>
 concept TrailStore = requires(const T& store, T& changing, Choices& choices, TrailKey key, float x) {
-  { store.name(choices) };  // fills choices.key
+  { store.find_all(choices) };  // fills choices.trail
   { store.name(x, x, x) } -> std::same_as<TrailKey>;
   { store.find(key) } -> std::convertible_to<StoredTrail>;
   { changing.at(key) } -> std::same_as<StoredTrail&>;
@@ -27,15 +29,14 @@ class Trail {
  public:
   Trail(Store store, const TrailRule& rule) : store_(std::move(store)), levels_(rule) {}
 
-  /// tau_k of all choices: eq. (35), the stored value, or that of an unknown place.
-  void read(Choices& choices) const {
-    store_.name(choices);
-    const TrailLevels levels = levels_;  // a copy cannot be changed by what is written here
-    const std::size_t count = choices.key.size();
-    float* const trail = choices.trail.data();
-    for (std::size_t k = 0; k < count; ++k) trail[k] = store_.find(choices.key[k]);
-    for (std::size_t k = 0; k < count; ++k) trail[k] = levels.read(trail[k]);
+  /// Multiplies the weights by tau_k^alpha: eq. (35), the stored value, or that of an unknown place.
+  void weigh(int alpha, Choices& choices) const {
+    if (alpha == 0) return;
+    store_.find_all(choices);
+    multiply_by_trail(levels_, alpha, choices);
   }
+
+  TrailKey name(float x, float y, float z) const { return store_.name(x, y, z); }
 
   /// Names the nodes of a route that was changed after the walk.
   template <class Space>
