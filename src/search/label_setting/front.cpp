@@ -58,7 +58,8 @@ struct FrontSearch {
   void fill_in(const CorrectionRoute& fewest) {
     const double upper = fewest.length_m * (1 + kRounding);
     const CorrectionGraph corridor = graph.within(upper);
-    const RemainingLength length(corridor, upper, run);
+    // The best route known leads the search for the shortest; beyond it a weaker bound will do.
+    const RemainingLength length(corridor, std::min(fewest.length_m, result.best->length_m) * (1 + kRounding), run);
     result.labels += length.labels();
     if (length.stopped()) return void(stop());
     result.bound_m = length.shortest_m() * (1 - kRounding);

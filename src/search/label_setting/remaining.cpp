@@ -90,6 +90,9 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
   const CorrectionGraph& graph = *graph_;
   std::vector<StepTable::Step> steps;
   std::vector<double> most_error(graph.size(), -1);
+  // Of the last label put in the queue: spares many that it dominates.
+  std::vector<double> open_error(graph.size(), -1);
+  std::vector<double> open_length(graph.size(), 0);
   std::vector<Label> pool{{.error = kInfinity, .node = graph.goal()}};
   LabelQueue queue;
   queue.push(0, 0);
@@ -114,7 +117,10 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
       if (error <= most_error[i]) return;
       const double length = at.length_m + d;
       const double key = length + graph.length(graph.start(), i);
-      if (key * (1 - kRounding) > upper_m_ || !graph.is_free(i, at.node)) return;
+      if (key * (1 - kRounding) > upper_m_ || (error <= open_error[i] && length >= open_length[i])) return;
+      if (!graph.is_free(i, at.node)) return;
+      open_error[i] = error;
+      open_length[i] = length;
       queue.push(key, static_cast<std::uint32_t>(pool.size()));
       pool.push_back({.length_m = length, .error = error, .node = i, .corrections = corrections});
     });
