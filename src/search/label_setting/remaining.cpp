@@ -13,10 +13,6 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr std::uint64_t kPollEvery = 1024;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Sums of some thousand lengths differ by less, relatively, in whatever order.
-constexpr double kRounding = 1e-12;
 
 /// Longest d1 + d2 such that d1 <= most1, d2 <= most2 and rate1 d1 + rate2 d2 <= limit: at a corner of this polygon.
 /// most2 alone keeps the limit.

@@ -7,8 +7,6 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr std::uint64_t kPollEvery = 1024;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Search {
  public:
