@@ -13,15 +13,16 @@ namespace alate {
 /// Name of a place that can carry a trail.
 using TrailKey = std::uint64_t;
 
-struct Ant {
+/// On cache lines of its own: its neighbour may be walking on another thread.
+struct alignas(kSimdBytes) Ant {
   std::vector<std::uint32_t> actions;
   std::vector<TrailKey> keys;  ///< Where every action led: the nodes u_j of the route.
   std::vector<float> costs;    ///< J of every node.
   std::vector<TrailKey> dead;  ///< Nodes that it stepped back from.
   std::size_t index = 0;       ///< In its colony.
   double sum = 0;              ///< Of costs.
+  std::size_t known = 0;       ///< Nodes that carried a trail before this walk.
   double cost = kInfinity;     ///< J_c, eq. (37); infinite unless it arrived.
-  Choices choices;             ///< Scratch, kept so that nothing is allocated while walking.
 
   bool arrived() const { return cost < kInfinity; }
 
@@ -56,6 +57,7 @@ struct Ant {
     costs.clear();
     dead.clear();
     sum = 0;
+    known = 0;
     cost = kInfinity;
   }
 

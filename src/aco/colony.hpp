@@ -55,7 +55,11 @@ template <AntSpace Space, class Policies>
 class Colony {
  public:
   Colony(const Space& space, Policies policies, ColonyOptions options)
-      : space_(space), policies_(std::move(policies)), options_(options), ants_(options.ants) {
+      : space_(space),
+        policies_(std::move(policies)),
+        options_(options),
+        ants_(options.ants),
+        scratch_(std::min(options.ants, kGroups)) {
     for (std::size_t a = 0; a < ants_.size(); ++a) ants_[a].index = a;
   }
 
@@ -94,24 +98,35 @@ class Colony {
   std::uint64_t moves() const { return moves_; }
 
  private:
+  /// The ants of a group walk one after the other, with one scratch: it stays in the cache, and nothing is allocated.
   void walk_all(RunContext& run) {
-    run.executor().for_ranges(ants_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t a = begin; a < end; ++a) walk(ants_[a], Stream(run.seed(), run.iterations(), a), run);
+    const auto first_of = [this](std::size_t group) { return group * ants_.size() / scratch_.size(); };
+    run.executor().for_ranges(scratch_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t group = begin; group < end; ++group)
+        for (std::size_t a = first_of(group); a < first_of(group + 1); ++a) {
+          walk(ants_[a], scratch_[group], Stream(run.seed(), run.iterations(), a), run);
+          count_known(ants_[a]);
+        }
     });
   }
 
+  void count_known(Ant& ant) const {
+    const auto known = [this](TrailKey node) { return policies_.trail.known(node); };
+    ant.known = static_cast<std::size_t>(std::ranges::count_if(ant.keys, known));
+  }
+
   /// One ant, until it arrives, is stuck, or meets the step limit.
-  void walk(Ant& ant, Stream stream, RunContext& run) const {
+  void walk(Ant& ant, Choices& choices, Stream stream, RunContext& run) const {
     ant.restart();
     if (best_.arrived() && stream.uniform() < options_.follow) ant.follow(best_, stream.below(best_.actions.size()));
     typename Space::State state = state_after(ant.actions);
     for (std::size_t looks = 0; ant.actions.size() < space_.step_limit(); ++looks) {
       if (looks % kPollEvery == 0 && !run.keep_going()) return;
-      weigh_choices(state, ant);
-      if (const auto taken = choose(state, ant, stream)) {
+      weigh_choices(state, ant.index, choices);
+      if (const auto taken = choose(state, ant, choices, stream)) {
         state = *taken;
         if (space_.is_goal(state)) ant.cost = ant.sum;  // eq. (37)
-        if (ant.arrived() || is_hopeless(ant)) return;
+        if (ant.arrived() || is_hopeless(ant, choices.guide[ant.actions.back()])) return;
         continue;
       }
       if (ant.actions.empty() || ant.dead.size() >= options_.step_backs) return;
@@ -121,10 +136,9 @@ class Colony {
   }
 
   /// Would the ant, as far as the guide knows, be much dearer than the best so far?
-  bool is_hopeless(const Ant& ant) const {
+  bool is_hopeless(const Ant& ant, float ahead) const {
     if (!best_.arrived() || options_.give_up == 0) return false;
-    const auto ahead = static_cast<double>(ant.choices.guide[ant.actions.back()]);
-    return ant.sum + ahead > best_.cost * (1 + options_.give_up);
+    return ant.sum + static_cast<double>(ahead) > best_.cost * (1 + options_.give_up);
   }
 
   typename Space::State state_after(const std::vector<std::uint32_t>& actions) const {
@@ -134,16 +148,15 @@ class Colony {
   }
 
   /// Numerators of eq. (1): tau_k^alpha (1 / J_k)^beta.
-  void weigh_choices(const typename Space::State& state, Ant& ant) const {
-    Choices& choices = ant.choices;
+  void weigh_choices(const typename Space::State& state, std::size_t ant, Choices& choices) const {
     space_.look(state, choices);
-    policies_.heuristic(choices, ant.index);
+    policies_.heuristic(choices, ant);
     policies_.trail.weigh(options_.alpha, choices);
   }
 
   /// Draws from K and moves the ant; nothing where K is empty.
-  std::optional<typename Space::State> choose(const typename Space::State& state, Ant& ant, Stream& stream) const {
-    Choices& choices = ant.choices;
+  std::optional<typename Space::State> choose(const typename Space::State& state, Ant& ant, Choices& choices,
+                                              Stream& stream) const {
     for (;;) {
       const std::size_t k = policies_.transition(choices, stream);
       if (k >= space_.actions()) return std::nullopt;
@@ -168,7 +181,10 @@ class Colony {
     const auto flight = space_.fly(found->actions);
     assert(flight);
     found->cost = flight->cost;
-    if (policies_.local_search(space_, *found, best_.cost, run)) policies_.trail.name_route(space_, *found);
+    if (policies_.local_search(space_, *found, best_.cost, run)) {
+      policies_.trail.name_route(space_, *found);
+      count_known(*found);
+    }
     return *found;
   }
 
@@ -180,7 +196,7 @@ class Colony {
     double sum = 0;
     for (const Ant& ant : ants_) {
       moves += ant.actions.size();
-      for (const TrailKey node : ant.keys) known += policies_.trail.known(node) ? 1U : 0U;
+      known += ant.known;
       if (!ant.arrived()) continue;
       ++arrived;
       sum += ant.cost;
@@ -196,11 +212,13 @@ class Colony {
   }
 
   static constexpr std::size_t kPollEvery = 8;
+  static constexpr std::size_t kGroups = 64;  ///< Enough to keep any number of threads evenly busy.
 
   const Space& space_;
   Policies policies_;
   ColonyOptions options_;
   std::vector<Ant> ants_;
+  std::vector<Choices> scratch_;  ///< One a group of ants.
   Ant best_;
   std::vector<IterationStats> history_;
   std::uint64_t moves_ = 0;
