@@ -102,7 +102,7 @@ class CorrectionGa {
   }
 
   std::size_t genes(const CorrectionGraph& graph) const {
-    constexpr double kMore = 1.5;
+    constexpr double kMore = 2.5;
     if (const std::size_t given = count("genes"); given != 0) return given;
     return static_cast<std::size_t>(
         std::ceil(kMore * graph.length(graph.start(), graph.goal()) / longest_leg_m(graph)));

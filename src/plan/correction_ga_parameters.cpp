@@ -1,5 +1,7 @@
 #include "plan/correction_ga_parameters.hpp"
 
+#include "plan/correction_parameters.hpp"
+
 namespace alate {
 
 namespace {
@@ -64,20 +66,6 @@ std::vector<Parameter> variable_parameters() {
        .max = 1,
        .help = "variable: share of children that local search improves.",
        .source = "alate"},
-      {.name = "window_old",
-       .unit = "points",
-       .default_value = whole(3),
-       .min = 0,
-       .max = 10,
-       .help = "variable: local search takes up to so many neighbouring points out",
-       .source = "alate"},
-      {.name = "window_new",
-       .unit = "points",
-       .default_value = whole(2),
-       .min = 0,
-       .max = 4,
-       .help = "variable: and puts up to so many in.",
-       .source = "alate"},
       {.name = "temperature",
        .unit = "m",
        .default_value = 4000.0,
@@ -111,8 +99,6 @@ std::vector<Parameter> variable_parameters() {
        .max = 1e6,
        .help = "variable: a growing route takes its last step back where it meets a dead end, at most this often.",
        .source = "alate"},
-      candidates_parameter(),
-      corridor_parameter(),
   };
 }
 
@@ -123,7 +109,7 @@ std::vector<Parameter> chromosome_parameters() {
        .default_value = whole(0),
        .min = 0,
        .max = 10000,
-       .help = "fixed: n, points of a chromosome; 0: half as many again as the direct way needs at least.",
+       .help = "fixed: n, points of a chromosome; 0: two and a half times as many as the direct way needs at least.",
        .source = kGap},
       {.name = "cells",
        .default_value = whole(10),
@@ -230,38 +216,17 @@ std::vector<Parameter> cost_parameters() {
 
 }  // namespace
 
-Parameter corridor_parameter() {
-  return {
-      .name = "corridor",
-      .default_value = 2.0,
-      .min = 0,
-      .max = 1e6,
-      .help =
-          "Only points in the ellipsoid about start and goal whose ways are this many times the shortest that errors "
-          "might allow; 0: all.",
-      .source = "alate"};
-}
-
-Parameter candidates_parameter() {
-  return {.name = "candidates",
-          .unit = "points",
-          .default_value = std::int64_t{128},
-          .min = 1,
-          .max = 100000,
-          .help = "Points to choose from at each step: those with the shortest leg plus rest of the way.",
-          .source = "alate"};
-}
-
 std::vector<Parameter> correction_ga_parameters() {
   std::vector<Parameter> all = common_parameters();
-  for (const auto& part : {variable_parameters(), chromosome_parameters(), cost_parameters()})
+  for (const auto& part :
+       {variable_parameters(), window_parameters(), choice_parameters(), chromosome_parameters(), cost_parameters()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 std::vector<Preset> correction_ga_presets() {
   std::map<std::string, ParamValue> published{
-      {"strings", word("fixed")}, {"population", whole(100)}, {"iterations", whole(500)}, {"corridor", 0.0}};
+      {"strings", word("fixed")}, {"population", whole(200)}, {"iterations", whole(500)}, {"corridor", 0.0}};
   std::map<std::string, ParamValue> plain = published;
   plain["rates"] = word("constant");
   return {

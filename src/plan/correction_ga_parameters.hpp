@@ -8,8 +8,4 @@ namespace alate {
 std::vector<Parameter> correction_ga_parameters();
 std::vector<Preset> correction_ga_presets();
 
-/// `corridor` and `candidates`, which the colony has too.
-Parameter corridor_parameter();
-Parameter candidates_parameter();
-
 }  // namespace alate

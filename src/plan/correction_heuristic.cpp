@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "space/correction_route.hpp"
+#include "plan/correction_plan.hpp"
 #include "space/relaxed_to_go.hpp"
 
 namespace alate {
@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
 
-std::vector<int> ids_of(const CorrectionGraph& graph, const PointString& points) {
-  std::vector<int> ids;
-  for (const CorrectionGraph::Node i : points) ids.push_back(graph.id(i));
-  return ids;
+std::vector<CorrectionPoint> points_of(const CorrectionGraph& graph, const PointString& string) {
+  std::vector<CorrectionPoint> points;
+  for (const CorrectionGraph::Node i : string) points.push_back(graph.point(i));
+  return points;
 }
 
 /// A correction counts as much as the whole direct way where fewer are preferred: length then decides between routes
@@ -69,7 +69,7 @@ class Wrapping {
       return;
     }
     plan_.outcome = length_m * (1 - kHair) <= bound_m_ ? Outcome::optimal : Outcome::feasible;
-    plan_.route = route_through(problem_.world.site(), ids_of(graph, found.points)).route;
+    plan_.route = straight_route(problem_.mission, points_of(graph, found.points));
     plan_.cost = problem_.objective.length * length_m;
   }
 
@@ -100,12 +100,7 @@ class Wrapping {
 }  // namespace
 
 std::string heuristic_refusal(const Problem& problem) {
-  const auto& navigation = problem.world.site().navigation;
-  const ObjectiveSpec& objective = problem.objective;
-  if (!navigation) return "flies from correction point to correction point; add navigation";
-  if (navigation->turn_model != TurnModel::none) return "flies straight legs only; set navigation.turn_model to none";
-  if (objective.model != CostModel::physical || objective.length <= 0 || objective.climb > 0)
-    return "looks for the shortest route; set objective.length above 0 and objective.climb to 0";
+  if (std::string why = correction_refusal(problem); !why.empty()) return why;
   if (problem.prefer == Preference::probability)
     return "plans as if every correction worked, and cannot prefer the probability of success";
   return "";

@@ -8,5 +8,6 @@ namespace alate {
 PlannerEntry label_setting_entry();
 PlannerEntry correction_ga_entry();
 PlannerEntry sparse_astar_entry();
+PlannerEntry correction_aco_entry();
 
 }  // namespace alate

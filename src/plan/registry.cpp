@@ -38,6 +38,7 @@ const Registry& builtin_planners() {
     registry.add(label_setting_entry());
     registry.add(sparse_astar_entry());
     registry.add(correction_ga_entry());
+    registry.add(correction_aco_entry());
     return registry;
   }();
   return kRegistry;
