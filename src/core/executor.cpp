@@ -6,8 +6,6 @@
 #include <boost/asio/thread_pool.hpp>
 #include <cassert>
 #include <exception>
-#include <latch>
-#include <mutex>
 #include <optional>
 
 namespace alate {
@@ -17,22 +15,23 @@ namespace {
 /// Pieces per thread: enough to even out unequal work, few enough to cost nothing.
 constexpr std::size_t kPiecesPerThread = 8;
 
-/// One loop: threads take pieces from a counter until none is left or one has failed.
+/// One loop: threads take pieces from a counter until none is left; after a failure the rest is taken but not run.
+/// It ends with its last piece, not with its last thread: one that wakes late finds nothing left to do.
 class Loop {
  public:
   Loop(std::size_t count, std::size_t threads, const std::function<void(std::size_t, std::size_t)>& body)
       : count_(count), piece_(std::max<std::size_t>(1, count / (threads * kPiecesPerThread))), body_(body) {}
 
   void work() {
-    try {
-      for (std::size_t begin = next_.fetch_add(piece_); begin < count_; begin = next_.fetch_add(piece_)) {
-        body_(begin, std::min(begin + piece_, count_));
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      next_ = count_;
+    for (std::size_t begin = next_.fetch_add(piece_); begin < count_; begin = next_.fetch_add(piece_)) {
+      const std::size_t end = std::min(begin + piece_, count_);
+      if (!failed_) run(begin, end);
+      if (done_.fetch_add(end - begin) + end - begin == count_) done_.notify_all();
     }
+  }
+
+  void wait() const {
+    for (std::size_t done = done_; done < count_; done = done_) done_.wait(done);
   }
 
   void rethrow() const {
@@ -40,11 +39,20 @@ class Loop {
   }
 
  private:
+  void run(std::size_t begin, std::size_t end) {
+    try {
+      body_(begin, end);
+    } catch (...) {
+      if (!failed_.exchange(true)) failure_ = std::current_exception();
+    }
+  }
+
   std::size_t count_;
   std::size_t piece_;
-  const std::function<void(std::size_t, std::size_t)>& body_;
+  const std::function<void(std::size_t, std::size_t)>& body_;  ///< Gone once all is done.
   std::atomic<std::size_t> next_{0};
-  std::mutex mutex_;
+  std::atomic<std::size_t> done_{0};
+  std::atomic<bool> failed_{false};
   std::exception_ptr failure_;
 };
 
@@ -72,18 +80,12 @@ void Executor::for_ranges(std::size_t count, const std::function<void(std::size_
     body(0, count);
     return;
   }
-  Loop loop(count, pool_->threads, body);
+  const auto loop = std::make_shared<Loop>(count, pool_->threads, body);
   const std::size_t helpers = std::min(pool_->threads, count) - 1;
-  std::latch done(static_cast<std::ptrdiff_t>(helpers));
-  for (std::size_t i = 0; i < helpers; ++i) {
-    boost::asio::post(*pool_->workers, [&] {
-      loop.work();
-      done.count_down();
-    });
-  }
-  loop.work();
-  done.wait();
-  loop.rethrow();
+  for (std::size_t i = 0; i < helpers; ++i) boost::asio::post(*pool_->workers, [loop] { loop->work(); });
+  loop->work();
+  loop->wait();
+  loop->rethrow();
 }
 
 }  // namespace alate

@@ -90,8 +90,8 @@ bool read_ground(Site& site, SiteFaults& faults) {
 
 void place_mission(Site& site, const GivenPoints& points, SiteFaults& faults) {
   const Scenario& scenario = site.scenario;
-  const auto start = locate_end(site, scenario.start.place, points.start(), "start", faults);
-  const auto goal = locate_end(site, scenario.goal.place, points.end(), "goal", faults);
+  const auto start = locate_end(site, {scenario.start.place, points.start(), "start"}, faults);
+  const auto goal = locate_end(site, {scenario.goal.place, points.end(), "goal"}, faults);
   if (start) {
     judge_scale(site.frame, start->head<2>(), faults);
     judge_place(site, *start, "start", faults);

@@ -106,24 +106,25 @@ Navigation navigation_of(const Site& site, const GivenPoints& given, SiteFaults&
   return navigation;
 }
 
-std::optional<Vec3> locate_end(const Site& site, const PlaceSpec& place, const std::optional<GivenPoint>& given,
-                               const std::string& field, SiteFaults& faults) {
-  if (!given && site.scenario.navigation && !place.given()) {
+std::optional<Vec3> locate_end(const Site& site, const GivenEnd& given, SiteFaults& faults) {
+  const auto& [place, point, field] = given;
+  if (!point && site.scenario.navigation && !place.given()) {
     faults.add({.field = field, .message = "is missing: neither the scenario nor its points have it"});
     return std::nullopt;
   }
-  if (!given) return locate(site, place, field, faults);
-  const auto by_points = place_in(site, *given, faults);
+  if (!point) return locate(site, place, field, faults);
+  const auto by_points = place_in(site, *point, faults);
   if (!by_points || !place.given()) return by_points;
   const auto by_scenario = locate(site, place, field, faults);
   if (!by_scenario) return std::nullopt;
   const double apart = (*by_scenario - *by_points).norm();
   if (apart <= kSamePlace_m) return by_points;
-  faults.add({.field = field,
-              .value = fmt::format("{:.2f}", apart),
-              .limit = fmt::format("<= {}", kSamePlace_m),
-              .unit = "m",
-              .message = fmt::format("lies away from point {}, which says the same", given->point.id)});
+  faults.add(
+      {.field = field,
+       .value = fmt::format("{:.2f}", apart),
+       .limit = fmt::format("<= {}", kSamePlace_m),
+       .unit = "m",
+       .message = fmt::format("does not lie at point {}, which is the same end of the flight", point->point.id)});
   return std::nullopt;
 }
 

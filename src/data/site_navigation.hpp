@@ -13,9 +13,15 @@ GivenPoints read_points(const Scenario& scenario, SiteFaults& faults);
 /// `navigation` with its points in the frame.
 Navigation navigation_of(const Site& site, const GivenPoints& given, SiteFaults& faults);
 
+/// One end of the flight as it was given.
+struct GivenEnd {
+  const PlaceSpec& by_scenario;
+  const std::optional<GivenPoint>& by_points;
+  const char* field;  ///< "start" or "goal".
+};
+
 /// Where the flight begins or ends: by the points, or else by the scenario. Both may say it within 1 m of each other.
-/// Nothing, and a fault at `field`, if neither does.
-std::optional<Vec3> locate_end(const Site& site, const PlaceSpec& place, const std::optional<GivenPoint>& given,
-                               const std::string& field, SiteFaults& faults);
+/// Nothing, and a fault, if neither does.
+std::optional<Vec3> locate_end(const Site& site, const GivenEnd& given, SiteFaults& faults);
 
 }  // namespace alate

@@ -55,8 +55,10 @@ class AttitudeAco {
 
   Plan plan(const Problem& problem, RunContext& run) const {
     std::vector<IterationStats> history;
-    const auto step_limit = static_cast<std::size_t>(values_.integer("step_limit"));
-    Plan plan = plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& lattice) {
+    const AttitudeOptions options{
+        .step_limit = static_cast<std::size_t>(values_.integer("step_limit")),
+        .threats_at = values_.text("threats_at") == "legs" ? ThreatsAt::legs : ThreatsAt::nodes};
+    Plan plan = plan_on_attitudes(problem, run, options, [&](const AttitudeSpace& lattice) {
       const AttitudeAnts space(problem.world, lattice);
       if (lattice.is_goal(lattice.start())) return SearchResult{.found = true, .cost = 0};
       const double cell_m = trail_cell_m(problem);
@@ -96,6 +98,7 @@ class AttitudeAco {
                                            .alpha = static_cast<int>(values_.integer("alpha")),
                                            .follow = values_.number("follow"),
                                            .give_up = values_.number("give_up"),
+                                           .end_within_m = end_within_m(space),
                                            .step_backs = static_cast<std::size_t>(values_.integer("step_backs"))});
     if (const SearchResult first = first_route(space, run); first.found) colony.start_from(first.actions, run);
     const Ant& best = colony.run(run);
@@ -121,6 +124,12 @@ class AttitudeAco {
     if (passes == 0) return greedy;
     const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
     return Beam(space.lattice(), options).run(run, std::move(greedy));
+  }
+
+  /// How near the goal must have been for an ant that flies past it to end.
+  float end_within_m(const AttitudeAnts& space) const {
+    constexpr float kSteps = 2;
+    return values_.text("overshoot") == "end" ? kSteps * space.step_m() : 0;
   }
 
   AnyHeuristic heuristic(const AttitudeAnts& space) const {

@@ -71,6 +71,20 @@ std::vector<Parameter> walk_parameters() {
        .max = 1e6,
        .help = "An ant without choices takes its last move back, at most this often; 0: it ends.",
        .source = "alate"},
+      {.name = "overshoot",
+       .default_value = word("fly-on"),
+       .choices = {"fly-on", "end"},
+       .help = "An ant that was under two steps from the goal and moves away flies on until the step limit, or ends at "
+               "the node before. There it leaves pheromone as if it had arrived; only within the tolerance is it a "
+               "route.",
+       .source = "alate: Konatowski, Pawlowski 2019 leave it open"},
+      {.name = "threats_at",
+       .default_value = word("nodes"),
+       .choices = {"nodes", "legs"},
+       .help = "Under the konatowski2019 objective: threat of a step at the node where it ends, or its mean along the "
+               "leg, so that no sphere is jumped unseen. With legs the ants minimise another sum than the cost "
+               "reported, which is that of nodes; and they are slower, as the leg is priced in double precision.",
+       .source = "nodes: Konatowski, Pawlowski 2019, eq. (34); legs: alate"},
       {.name = "q0",
        .default_value = 0.0,
        .min = 0,

@@ -89,12 +89,12 @@ Parameter step_limit_parameter() {
           .source = "alate: Konatowski, Pawlowski 2019 leave it open"};
 }
 
-Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step_limit,
+Plan plan_on_attitudes(const Problem& problem, RunContext& run, const AttitudeOptions& options,
                        const std::function<SearchResult(const AttitudeSpace&)>& search) {
   Plan plan{.seed = run.seed()};
   std::optional<CostToGo> guidance;
   if (needs_guidance(problem)) guidance.emplace(problem.world, run);
-  const AttitudeSpace space(problem.world, guidance ? &*guidance : nullptr, step_limit);
+  const AttitudeSpace space(problem.world, guidance ? &*guidance : nullptr, options);
   plan.lower_bound = space.problem_bound();
 
   SearchResult found;
@@ -103,7 +103,7 @@ Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step
   if (found.found) {
     plan.outcome = Outcome::feasible;
     plan.route = route_of(space, found.actions);
-    plan.cost = space.objective().route_cost(plan.route);
+    plan.cost = Objective(problem.world).route_cost(plan.route);  // as reported, whatever was minimised
   }
   plan.stop = run.stop();
   plan.reproducible = plan.stop != Stop::deadline && plan.stop != Stop::cancelled;

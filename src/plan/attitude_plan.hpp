@@ -19,7 +19,7 @@ Parameter step_limit_parameter();
 
 /// Builds the space (guided round terrain and threats), runs `search` on it and wraps up what it found. Without a route
 /// `why` says what stands in the way.
-Plan plan_on_attitudes(const Problem& problem, RunContext& run, std::size_t step_limit,
+Plan plan_on_attitudes(const Problem& problem, RunContext& run, const AttitudeOptions& options,
                        const std::function<SearchResult(const AttitudeSpace&)>& search);
 
 }  // namespace alate

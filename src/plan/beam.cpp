@@ -16,7 +16,7 @@ struct BeamPlanner {
   static GreedyOptions first_walk() { return {.max_step_backs = 500}; }
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& space) {
+    return plan_on_attitudes(problem, run, {.step_limit = step_limit}, [&](const AttitudeSpace& space) {
       return Beam(space, options).run(run, Greedy(space, first_walk()).run(run));
     });
   }

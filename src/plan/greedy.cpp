@@ -12,7 +12,7 @@ struct GreedyPlanner {
   std::size_t step_limit = 0;
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_on_attitudes(problem, run, step_limit, [&](const AttitudeSpace& space) {
+    return plan_on_attitudes(problem, run, {.step_limit = step_limit}, [&](const AttitudeSpace& space) {
       SearchResult result;
       if (run.start_iteration(1)) result = Greedy(space, options).run(run);
       return result;

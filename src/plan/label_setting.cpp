@@ -8,32 +8,10 @@
 #include "plan/correction_planners.hpp"
 #include "search/label_setting/chance_front.hpp"
 #include "search/label_setting/gap.hpp"
-#include "search/label_setting/shortest.hpp"
 
 namespace alate {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGoodWeight = 1.05;
-constexpr double kRounding = 1e-12;
-
-/// Proven shortest: a good route first, whose length is the corridor of the search that proves.
-FrontResult shortest_alone(const CorrectionGraph& graph, RunContext& run) {
-  ShortestResult good = shortest_route(graph, {.weight = kGoodWeight}, run);
-  FrontResult result{.best = std::move(good.route), .bound_m = kInfinity, .labels = good.labels};
-  result.stopped = good.stopped;
-  if (good.stopped) result.bound_m = graph.length(graph.start(), graph.goal());
-  if (!result.best) return result;
-  const double upper = result.best->length_m * (1 + kRounding);
-  const ShortestResult proven = shortest_route(graph.within(upper), {.most_m = upper}, run);
-  result.labels += proven.labels;
-  result.stopped = proven.stopped;
-  result.bound_m = proven.bound_m;
-  if (proven.route) result.routes = {*proven.route};
-  if (!result.stopped) result.best.reset();
-  return result;
-}
 
 /// What the problem prefers of `front`, an index: ties go to the shorter, then to fewer corrections, then to the surer.
 std::size_t preferred(const std::vector<FrontPoint>& front, Preference prefer) {

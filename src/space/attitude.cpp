@@ -57,16 +57,16 @@ std::uint64_t part(double value, unsigned bits) {
 
 }  // namespace
 
-AttitudeSpace::AttitudeSpace(const World& world, const CostToGo* guidance, std::size_t step_limit)
+AttitudeSpace::AttitudeSpace(const World& world, const CostToGo* guidance, const AttitudeOptions& options)
     : world_(world),
       site_(world.site()),
       guidance_(guidance),
-      objective_(world),
+      objective_(world, options.threats_at),
       rotations_(site_.vehicle),
       step_m_(*site_.vehicle.step_m),
       turn_radius_m_(tightest_turn(site_.vehicle, rotations_)),
       limits_(leg_limits(site_.vehicle)),
-      step_limit_(step_limit == 0 ? automatic_limit(site_) : step_limit) {}
+      step_limit_(options.step_limit == 0 ? automatic_limit(site_) : options.step_limit) {}
 
 AttitudeState AttitudeSpace::start() const {
   return {.position = site_.mission.start, .attitude = level_attitude(site_.mission.heading_rad), .step = 0};

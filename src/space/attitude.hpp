@@ -20,6 +20,11 @@ struct AttitudeState {
   int step = 0;
 };
 
+struct AttitudeOptions {
+  std::size_t step_limit = 0;  ///< 0: 3.4 x direct distance / step, and no more than the vehicle's range.
+  ThreatsAt threats_at = ThreatsAt::nodes;
+};
+
 /// Immutable; any thread may ask. World and guidance must outlive it.
 class AttitudeSpace {
  public:
@@ -27,8 +32,7 @@ class AttitudeSpace {
 
   /// The vehicle must have attitude steps. Without `guidance` the guide is the lower bound. In the physical model the
   /// turn that the last approach needs is added.
-  /// `step_limit` 0: 3.4 x direct distance / step, and no more than the vehicle's range.
-  AttitudeSpace(const World& world, const CostToGo* guidance, std::size_t step_limit = 0);
+  AttitudeSpace(const World& world, const CostToGo* guidance, const AttitudeOptions& options = {});
 
   State start() const;
   std::size_t actions() const { return rotations_.size(); }

@@ -25,7 +25,7 @@ AttitudeAnts::AttitudeAnts(const World& world, const AttitudeSpace& space)
       nodes_(site_, space.objective().node_threats()),
       step_m_(static_cast<float>(*site_.vehicle.step_m)) {
   const Vehicle& vehicle = site_.vehicle;
-  single_ = !space.objective().is_physical() && !vehicle.climb_rad && !vehicle.descent_rad && !vehicle.turn_radius_m;
+  single_ = space.objective().is_of_nodes() && !vehicle.climb_rad && !vehicle.descent_rad && !vehicle.turn_radius_m;
 }
 
 void AttitudeAnts::look(const State& state, Choices& out) const {

@@ -30,6 +30,7 @@ class AttitudeAnts {
   State start() const { return space_.start(); }
   std::size_t actions() const { return space_.actions(); }
   std::size_t step_limit() const { return space_.step_limit(); }
+  float step_m() const { return step_m_; }
 
   /// Fills places, costs and guides of all choices.
   void look(const State& state, Choices& out) const;

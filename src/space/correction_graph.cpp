@@ -69,7 +69,7 @@ void CorrectionGraph::add(const CorrectionPoint& point) {
   unreliable_ = unreliable_ || point.success < 1;
 }
 
-/// A counting sort by cells of about one point each; within a cell the order of `points` stays.
+/// A counting sort by cells of about four points each; within a cell the order of `points` stays.
 void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKind kind) {
   Grid& grid = grids_[kind == PointKind::horizontal ? 1 : 0];
   std::size_t count = 0;
@@ -84,7 +84,7 @@ void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKin
   if (count == 0) return;
   const Vec2 extent = max - grid.min;
   const double n = static_cast<double>(count);
-  grid.cell_m = std::max({std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
+  grid.cell_m = std::max({2 * std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
   grid.columns = grid.whole(extent.x()) + 1;
   grid.rows = grid.whole(extent.y()) + 1;
 

@@ -57,13 +57,8 @@ class CorrectionGraph {
     for (const PointKind to : {PointKind::vertical, PointKind::horizontal}) {
       const ReducedLeg rule = leg(kind(i), to);
       const double reach = rule.reach_m(error);
-      near(i, to, reach, [&](Node first, Node last) {
-        for (Node j = first; j < last; ++j) {
-          const double squared = squared_length(i, j);
-          if (squared > reach * reach || j == i) continue;
-          const double d = std::sqrt(squared);
-          if (rule.keeps_limits(error, d)) visit(j, d, rule.after(error, d));
-        }
+      for_each_within(i, to, reach, [&](Node j, double d) {
+        if (j != i && rule.keeps_limits(error, d)) visit(j, d, rule.after(error, d));
       });
     }
   }
@@ -78,11 +73,8 @@ class CorrectionGraph {
     for (const PointKind from : {PointKind::vertical, PointKind::horizontal}) {
       const ReducedLeg rule = leg(from, kind(j));
       const double reach = rule.reach_back_m(most);
-      near(j, from, reach, [&](Node first, Node last) {
-        for (Node i = first; i < last; ++i) {
-          const double squared = squared_length(i, j);
-          if (squared <= reach * reach && i != j) try_leg(rule, i, std::sqrt(squared));
-        }
+      for_each_within(j, from, reach, [&](Node i, double d) {
+        if (i != j) try_leg(rule, i, d);
       });
     }
     try_leg(leg(PointKind::vertical, kind(j)), start(), length(start(), j));
@@ -120,6 +112,27 @@ class CorrectionGraph {
   }
 
  private:
+  /// Calls visit(j, length) for each point of `kind` within `radius_m`. Those within are gathered first, without a
+  /// branch: whether one is, no processor can guess.
+  template <class Visit>
+  void for_each_within(Node i, PointKind kind, double radius_m, Visit&& visit) const {
+    constexpr Node kBlock = 64;
+    std::array<Node, kBlock> node;       // NOLINT(cppcoreguidelines-pro-type-member-init): filled before use
+    std::array<double, kBlock> squared;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    const double most = radius_m * radius_m;
+    near(i, kind, radius_m, [&](Node first, Node last) {
+      for (Node from = first; from < last; from += kBlock) {
+        std::size_t count = 0;
+        for (Node j = from; j < std::min(last, from + kBlock); ++j) {
+          node[count] = j;
+          squared[count] = squared_length(i, j);
+          count += squared[count] <= most ? 1U : 0U;
+        }
+        for (std::size_t k = 0; k < count; ++k) visit(node[k], std::sqrt(squared[k]));
+      }
+    });
+  }
+
   double squared_length(Node i, Node j) const {
     const double x = x_[j] - x_[i];
     const double y = y_[j] - y_[i];

@@ -45,6 +45,7 @@ struct LineAnts {
       out.x[k] = static_cast<float>(to.place);
       out.y[k] = static_cast<float>(to.step);
       out.z[k] = out.guide[k] = 0;
+      out.to_goal[k] = static_cast<float>(std::abs(3 - to.place));
       out.cost[k] = price(to);
     }
   }
@@ -116,6 +117,27 @@ TEST(Colony, HistoryIsInOrder) {
     EXPECT_LE(*stats.best_so_far, std::min(before, *stats.best));
     before = *stats.best_so_far;
   }
+}
+
+/// Nobody arrives: the line is longer than the walk.
+struct EndlessLine : LineAnts {
+  static bool is_goal(const State& /*state*/) { return false; }
+};
+
+TEST(Colony, AnAntThatFliesPastTheGoalEndsThereOnRequestButIsNoRoute) {
+  const EndlessLine space{{.length = 12}};
+  const auto arrived = [&](float end_within_m) {
+    Colony<EndlessLine, Policies<AntSystem>> colony(space,
+                                                    {{0}, {}, Trail<HashCells>(HashCells(0.5), {}), AntSystem{50}, {}},
+                                                    {.ants = 200, .end_within_m = end_within_m});
+    Executor executor;
+    RunContext run(executor, {.iterations = 3});
+    EXPECT_FALSE(colony.run(run).arrived());
+    EXPECT_FALSE(colony.history().back().best);
+    return colony.history().front().arrived;
+  };
+  EXPECT_EQ(arrived(0), 0);
+  EXPECT_GT(arrived(2), 0);
 }
 
 /// Remembers what was added to each key.

@@ -1,5 +1,9 @@
 // Correction-point scenarios on the command line: made, judged, and refused.
+#include <algorithm>
+#include <cmath>
+
 #include "program.hpp"
+#include "support/shared_data.hpp"
 
 namespace alate::test {
 
@@ -87,6 +91,60 @@ TEST_F(Corrections, FrontsAndPreferencesNeedNavigation) {
   const Finished typo = alate({"plan", "-", "--prefer", "lenght"}, kCorrections);
   EXPECT_EQ(typo.code, 2);
   expect_contains(typo.err, {"--prefer: unknown preference; did you mean length?"});
+}
+
+TEST(CorrectionExamples, ThePointsAreThoseOfTheLaw) {
+  const TempFolder folder;
+  const std::string out = folder.path().string();
+  ASSERT_EQ(alate({"generate", "corrections", "--points", "300", "--law", "set1", "--seed", "3", "--out", out}).code,
+            0);
+  EXPECT_EQ(read_file(folder / "points.csv"), read_file(ALATE_SOURCE_DIR "/examples/corrections/points.csv"));
+}
+
+TEST(CorrectionExamples, EveryPreferencePassesAndIsOnTheFront) {
+  for (const std::string prefer : {"length", "corrections", "probability"}) {
+    const Finished done = alate({"plan", kCorrectionPoints, "--json", "--front", "--prefer", prefer});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json result = Json::parse(done.out);
+    const auto is_the_route = [&](const Json& point) {
+      return point.at("corrections") == result.at("metrics").at("corrections") &&
+             std::abs(point.at("length_m").get<double>() - result.at("metrics").at("length_m").get<double>()) < 1e-6;
+    };
+    const Json& front = result.at("front");
+    EXPECT_EQ(front.size(), 4U);
+    const auto found = std::ranges::find_if(front, is_the_route);
+    ASSERT_NE(found, front.end()) << prefer;
+    EXPECT_NEAR(found->at("probability").get<double>(), result.at("metrics").at("probability").get<double>(), 1e-9);
+  }
+}
+
+TEST(CorrectionExamples, ContestScenariosTakeTheirPointsFromOutside) {
+  for (const std::string set : {"1", "2"}) {
+    const std::string file = ALATE_SOURCE_DIR "/examples/corrections/contest-set" + set + ".yaml";
+    const Finished without = alate({"check", "--scenario", file, "--points", "1"});
+    EXPECT_EQ(without.code, 2);
+    expect_contains(without.err, {"navigation.points: is missing", "--override navigation.points=FILE"});
+  }
+}
+
+/// Routes as their authors printed them; the lengths are ours.
+TEST(CorrectionExamples, PublishedRoutesOfTheContest) {
+  ALATE_NEEDS_SHARED_DATA("correction-points/set1.csv");
+  const auto judged = [](const std::string& set, const std::string& points) {
+    const std::string data = shared_data("correction-points/set" + set + ".csv").string();
+    return Json::parse(alate({"check", "--json", "--points", points, "--override", "navigation.points=" + data,
+                              "--scenario", ALATE_SOURCE_DIR "/examples/corrections/contest-set" + set + ".yaml"})
+                           .out);
+  };
+  const Json first = judged("1", "503,69,237,155,338,457,555,436");
+  EXPECT_EQ(first.at("verdict").at("status"), "pass");
+  EXPECT_NEAR(first.at("cost").get<double>(), 104'898, 1);
+  const Json second = judged("2", "163,114,8,309,305,123,45,160,92,93,61,292");
+  EXPECT_EQ(second.at("verdict").at("status"), "pass");
+  EXPECT_NEAR(second.at("cost").get<double>(), 109'342, 1);
+  const Json sure = judged("1", "503,294,91,607,61,250,369,566,400");
+  EXPECT_EQ(sure.at("metrics").at("probability"), 1.0);
+  EXPECT_EQ(judged("1", "504,295,124,76,34,12,404,595,398").at("verdict").at("status"), "fail");
 }
 
 TEST(Generate, TheSameFieldAgainAndAgain) {

@@ -34,6 +34,16 @@ TEST_P(ExecutorTest, AnExceptionReachesTheCallerAndTheNextLoopRuns) {
   EXPECT_EQ(done, 100U);
 }
 
+TEST_P(ExecutorTest, ALoopInsideALoopEnds) {
+  Executor executor(GetParam());
+  std::atomic<std::size_t> done{0};
+  executor.for_ranges(20, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      executor.for_ranges(30, [&](std::size_t from, std::size_t to) { done += to - from; });
+  });
+  EXPECT_EQ(done, 600U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, ExecutorTest, testing::Values(1, 2, 3, 8));
 
 }  // namespace

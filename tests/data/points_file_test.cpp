@@ -18,7 +18,9 @@ const std::string kHeader = "id,x_m,y_m,z_m,kind,may_fail\n";
 /// `text` in a file of its own, read.
 struct Reading {
   explicit Reading(const std::string& text, double success = 0.8) {
-    const std::string file = testing::TempDir() + "alate_points.csv";
+    // Tests run side by side.
+    const std::string file = fmt::format("{}alate_points_{}.csv", testing::TempDir(),
+                                         testing::UnitTest::GetInstance()->current_test_info()->name());
     std::ofstream(file, std::ios::binary) << text;
     given = read_points_file(file, success, faults);
     for (Fault& fault : faults) {
@@ -145,7 +147,7 @@ TEST(PointsFile, ManyFaultsAreCounted) {
 TEST(PointsFile, MutatedFilesAreReadOrRefused) {
   std::string text = kHeader;
   for (int i = 0; i < 10; ++i)
-    text += fmt::format("{},{},5.25,-1e3,{},{}\n", i, i * 100.5, i % 2 ? "vertical" : "horizontal", i % 2);
+    text += fmt::format("{},{},5.25,-1e3,{},{}\n", i, i * 100.5, i % 2 == 0 ? "horizontal" : "vertical", i % 2);
   std::mt19937 random(3);
   for (int round = 0; round < 3000; ++round) {
     std::string edited = text;

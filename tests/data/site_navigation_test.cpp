@@ -55,8 +55,9 @@ TEST(Navigation, ClimbKeepsTheWeightThatIsGiven) {
 TEST(Navigation, EndsMayStandInTheScenarioToo) {
   const std::string start = "start: {position_m: [0.5, 0, 100]}\n";
   EXPECT_EQ(site_of(kNavigationScenario + start).mission.start, Vec3(0, 0, 100));
-  EXPECT_EQ(refusal(kNavigationScenario + "start: {position_m: [0, 2, 100]}\n"),
-            "s.yaml:15:1: start: lies away from point 7, which says the same (got 2.00, allowed <= 1 m)");
+  EXPECT_EQ(
+      refusal(kNavigationScenario + "start: {position_m: [0, 2, 100]}\n"),
+      "s.yaml:15:1: start: does not lie at point 7, which is the same end of the flight (got 2.00, allowed <= 1 m)");
 }
 
 TEST(Navigation, WithoutEndsTheScenarioMustHaveThem) {

@@ -1,6 +1,7 @@
 // Ants on the attitude lattice: how good, and what bad parameters are told.
 #include <gtest/gtest.h>
 
+#include "alate/check/check.hpp"
 #include "alate/core/stream.hpp"
 #include "alate/data/scenario_file.hpp"
 #include "space/candidates.hpp"
@@ -91,6 +92,55 @@ TEST(AttitudeAco, PheromoneHelpsGoalDirectedWalks) {
     return sum / 5;
   };
   EXPECT_LT(mean("1"), mean("0"));
+}
+
+PlannerRequest with(const std::string& preset, const std::string& name, const std::string& text) {
+  return {.name = "attitude-aco", .preset = preset, .settings = {{.name = name, .text = text, .file = "--set"}}};
+}
+
+TEST(AttitudeAco, MoreAntsCountAtFirstWhereThoseThatFlyPastTheGoalMayEnd) {
+  const World world(test::konatowski_site(0.5, test::kLayoutC));
+  const auto arrived_at_first = [&](const char* overshoot) {
+    double sum = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+      sum += fly(world, with("konatowski2019", "overshoot", overshoot), {.iterations = 1, .seed = seed})
+                 .history.front()
+                 .arrived;
+    return sum / 20;
+  };
+  EXPECT_GT(arrived_at_first("end"), 1.5 * arrived_at_first("fly-on"));
+}
+
+TEST(AttitudeAco, AnEndThatIsNotWithinTheToleranceIsNeverTheRoute) {
+  const Site site = test::konatowski_site(0.5, test::kLayoutC);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Plan plan = fly(site, with("konatowski2019", "overshoot", "end"), {.iterations = 60, .seed = seed});
+    if (plan.outcome != Outcome::feasible) continue;
+    EXPECT_LE((plan.route.states.back().position - site.mission.goal).norm(), site.mission.tolerance_m);
+    EXPECT_DOUBLE_EQ(plan.cost, *plan.history.back().best_so_far);
+  }
+}
+
+/// Exposure along the legs of a route.
+double exposed(const World& world, const Plan& plan) {
+  double sum = 0;
+  for (std::size_t i = 1; i < plan.route.states.size(); ++i) sum += world.exposure(plan.route.segment(i));
+  return sum;
+}
+
+TEST(AttitudeAco, ThreatsAtLegsSeeASphereThatNodesJumpOver) {
+  const Plan straight = fly(test::konatowski_site(0.5, {}), {.name = "attitude-aco"});
+  const Segment leg = straight.route.segment(4);
+  const Vec3 middle = (leg.a + leg.b) / 2;
+  Site site = test::konatowski_site(0.5, {{middle.x(), middle.y(), middle.z(), 0.9}});
+  site.threats.front().level = 50;
+  const World world(site);
+  const Plan nodes = fly(world, {.name = "attitude-aco"});
+  const Plan legs = fly(world, with("", "threats_at", "legs"));
+  EXPECT_NEAR(nodes.cost, straight.cost, 1e-9);  // it is not seen
+  EXPECT_GT(exposed(world, nodes), 10);
+  EXPECT_LT(exposed(world, legs), 1);
+  EXPECT_NEAR(legs.cost, measure(site, legs.route).cost, 1e-9 * legs.cost);  // as reported, not as minimised
 }
 
 TEST(AttitudeAco, HistoryTellsOfEveryIteration) {

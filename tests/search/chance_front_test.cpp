@@ -64,6 +64,20 @@ TEST_F(ChanceFront, FindsWhatTryingEverythingFinds) {
   EXPECT_GE(longest, 5U);
 }
 
+TEST_F(ChanceFront, FindsItWhereEveryCorrectionMayFail) {
+  std::size_t routes = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CorrectionField field = test::small_field(25, 58'000, seed);
+    for (CorrectionPoint& point : field.navigation.points) point.success = point.id % 2 == 0 ? 0.8 : 0.9;
+    constexpr std::size_t kMost = 6;
+    auto ours = test::values_of(field, front(field));
+    std::erase_if(ours, [](const FrontValue& one) { return one.corrections > static_cast<int>(kMost); });
+    expect_same_front(ours, test::brute_force_front(field, kMost, true), "seed " + std::to_string(seed));
+    routes += ours.size();
+  }
+  EXPECT_GT(routes, 40U);
+}
+
 TEST_F(ChanceFront, AgreesWithManyFlights) {
   constexpr int kFlights = 20'000;
   int between = 0;

@@ -137,6 +137,26 @@ TEST_F(LabelSetting, BoundsOnWhatIsLeftAreExactAndNeverAbove) {
   EXPECT_NEAR(length.shortest_m(), all.routes.back().length_m, 1e-7);
 }
 
+TEST_F(LabelSetting, TheDirectFlightNeedsNoPointsWhateverTheirLimits) {
+  CorrectionField field = draw_corrections(CorrectionLaw::set1, 50, 1);
+  field.navigation.theta = 200;
+  EXPECT_EQ(front(field).routes.size(), 1U);
+  EXPECT_TRUE(front(field).routes.front().points.empty());
+  field.navigation.at_vertical = field.navigation.at_horizontal = {};
+  ASSERT_EQ(front(field).routes.size(), 1U);
+  EXPECT_EQ(front(field).routes.front().length_m, (field.goal - field.start).norm());
+  field.navigation.theta = 1;
+  EXPECT_TRUE(front(field).routes.empty());
+  EXPECT_NE(describe_gap({field.navigation, field.start, field.goal}, run_).find("0 of 50"), std::string::npos);
+}
+
+TEST_F(LabelSetting, WithoutDriftTheStraightLineIsTheRoute) {
+  CorrectionField field = draw_corrections(CorrectionLaw::set1, 50, 1);
+  field.navigation.drift_vertical = field.navigation.drift_horizontal = 0;
+  ASSERT_EQ(front(field).routes.size(), 1U);
+  EXPECT_TRUE(front(field).routes.front().points.empty());
+}
+
 TEST_F(LabelSetting, SaysWhereTheGapIs) {
   CorrectionField field = draw_corrections(CorrectionLaw::set1, 0, 1);
   field.start = {0, 0, 0};

@@ -119,7 +119,7 @@ TEST(Attitude, StepLimitIsThePapersAndKeepsTheRange) {
   Site site = test::konatowski_site(0.5, {});
   const World world(site);
   EXPECT_EQ(AttitudeSpace(world, nullptr).step_limit(), 40U);
-  EXPECT_EQ(AttitudeSpace(world, nullptr, 17).step_limit(), 17U);
+  EXPECT_EQ(AttitudeSpace(world, nullptr, {.step_limit = 17}).step_limit(), 17U);
   site.vehicle.range_m = 31;
   const World near(site);
   EXPECT_EQ(AttitudeSpace(near, nullptr).step_limit(), 15U);

@@ -41,5 +41,31 @@ TEST(Objective, AgreesWithTheSecondWitnessInBothModels) {
   }
 }
 
+/// Mean over many nodes of the leg of what the node model asks at each.
+double sampled_cost(const Objective& nodes, const Segment& leg, const Vec3& goal, double fuel) {
+  constexpr int kSamples = 4000;
+  double threat = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec3 at = leg.a + (i + 0.5) / kSamples * (leg.b - leg.a);
+    threat += nodes.leg_cost({leg.a, at}) - fuel * (at - goal).norm();
+  }
+  return fuel * (leg.b - goal).norm() + threat / kSamples;
+}
+
+TEST(Objective, ThreatsAtLegsAreTheMeanOfWhatNodesOnTheLegWouldCost) {
+  const World world(site_of(CostModel::konatowski2019));
+  const Objective nodes(world);
+  const Objective legs(world, ThreatsAt::legs);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Stream stream(seed, 1, 0);
+    const auto place = [&] {
+      return Vec3(1000 * stream.uniform() - 300, 800 * stream.uniform() - 400, 500 * stream.uniform());
+    };
+    const Segment leg{place(), place()};
+    const double expected = sampled_cost(nodes, leg, world.site().mission.goal, world.site().scenario.objective.fuel);
+    EXPECT_NEAR(legs.leg_cost(leg), expected, 1e-3 * expected) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace alate

@@ -101,7 +101,7 @@ svg .front.chosen { fill: var(--route); }
 .key svg.mark { width: 1.1rem; height: 1.1rem; flex: none; }
 .s-vertical { height: 0; border-top: 3px solid var(--vertical); border-radius: 0; }
 .s-horizontal { height: 0; border-top: 3px dashed var(--horizontal); border-radius: 0; }
-.front td:not(.ids) { white-space: nowrap; }
+.front th, .front td:not(.ids) { white-space: nowrap; }
 .front .ids { overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
 .front .chosen td { background: var(--pass-tint); }
 svg .ants { fill: none; stroke-width: 2; stroke-linejoin: round; }
@@ -140,7 +140,7 @@ summary { cursor: pointer; padding: .4rem 0; }
   svg .barred { stroke-width: 8; }
   svg .direct { stroke-width: 3; }
   svg .point { transform: scale(1.6); }
-  svg .mark .point { transform: none; }
+  svg.mark .point { transform: none; }
   svg .error { stroke-width: 6; }
   svg .error-limit { stroke-width: 9; }
   .rules thead { display: none; }

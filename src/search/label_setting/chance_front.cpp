@@ -12,9 +12,6 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::uint64_t kPollEvery = 256;
-constexpr double kRounding = 1e-12;
 
 /// A complete route.
 struct Arrival {

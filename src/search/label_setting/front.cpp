@@ -9,12 +9,10 @@ namespace alate {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGoodWeight = 1.05;
 /// A correction counts for more than any leg.
 constexpr double kCorrection_m = 1e5;
 constexpr double kFewWeight = 1.2;
-constexpr double kRounding = 1e-12;
 
 struct FrontSearch {
   const CorrectionGraph& graph;
@@ -33,6 +31,7 @@ struct FrontSearch {
 
   /// The shortest route with the fewest corrections.
   std::optional<CorrectionRoute> find_fewest() {
+    if (result.best->points.empty()) return result.best;
     const double corrections_a_metre = 2 / LegReach(graph).farthest_m(2);
     const double weight = kFewWeight * (1 + kCorrection_m * corrections_a_metre);
     const ShortestResult few = shortest_route(graph, {.weight = weight, .correction_m = kCorrection_m}, run);
@@ -58,7 +57,8 @@ struct FrontSearch {
   void fill_in(const CorrectionRoute& fewest) {
     const double upper = fewest.length_m * (1 + kRounding);
     const CorrectionGraph corridor = graph.within(upper);
-    const RemainingLength length(corridor, upper, run);
+    // The best route known leads the search for the shortest; beyond it a weaker bound will do.
+    const RemainingLength length(corridor, std::min(fewest.length_m, result.best->length_m) * (1 + kRounding), run);
     result.labels += length.labels();
     if (length.stopped()) return void(stop());
     result.bound_m = length.shortest_m() * (1 - kRounding);
@@ -118,6 +118,21 @@ FrontResult correction_front(const CorrectionGraph& graph, RunContext& run) {
     if (const auto fewest = search.find_fewest()) search.fill_in(*fewest);
   if (!search.result.stopped) search.result.best.reset();
   return std::move(search.result);
+}
+
+FrontResult shortest_alone(const CorrectionGraph& graph, RunContext& run) {
+  FrontSearch search{graph, run, {}};
+  FrontResult& result = search.result;
+  if (!search.find_any()) return std::move(result);
+  const double upper = result.best->length_m * (1 + kRounding);
+  ShortestResult proven = shortest_route(graph.within(upper), {.most_m = upper}, run);
+  result.labels += proven.labels;
+  result.stopped = proven.stopped;
+  result.bound_m = proven.bound_m;
+  if (proven.stopped) return std::move(result);
+  result.routes = {*std::move(proven.route)};
+  result.best.reset();
+  return std::move(result);
 }
 
 }  // namespace alate

@@ -22,4 +22,7 @@ struct FrontResult {
 /// lengths that are guessed; what comes out below its cap is proven, and only the rest is looked for again.
 FrontResult correction_front(const CorrectionGraph& graph, RunContext& run);
 
+/// The shortest route alone, proven: a good one by weighted A*, whose length is the corridor of the search that proves.
+FrontResult shortest_alone(const CorrectionGraph& graph, RunContext& run);
+
 }  // namespace alate

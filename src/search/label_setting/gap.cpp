@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "search/label_setting/label.hpp"
 #include "search/label_setting/remaining.hpp"
 
 namespace alate {
@@ -12,7 +13,6 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Least error with which each node can be reached; infinite where it cannot be.
 std::vector<double> flood(const CorrectionGraph& graph) {

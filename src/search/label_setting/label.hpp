@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "space/candidates.hpp"
 #include "space/correction_graph.hpp"
 
 namespace alate {
@@ -14,6 +16,10 @@ struct CorrectionRoute {
   std::vector<CorrectionPoint> points;  ///< In order, without start and goal.
 };
 
+/// Sums of some thousand lengths differ by less, relatively, in whatever order.
+inline constexpr double kRounding = 1e-12;
+/// Labels expanded between two looks at the clock.
+inline constexpr std::uint64_t kPollEvery = 1024;
 inline constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
 
 /// One way to a node. Labels live in one growing pool and know their parents by index.

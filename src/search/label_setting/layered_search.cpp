@@ -4,13 +4,7 @@
 
 namespace alate {
 
-namespace {
-
 using Node = CorrectionGraph::Node;
-constexpr std::uint64_t kPollEvery = 1024;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 LayeredSearch::LayeredSearch(const CorrectionGraph& graph, const Bounds& bounds, const LengthCaps& caps)
     : graph_(graph),
@@ -67,7 +61,7 @@ void LayeredSearch::fly_home(std::uint32_t index, const Label& from) {
   for (std::size_t i = first; i < best_.size() && length < best_[i].length_m; ++i) {
     best_[i] = {length, 0, goal, index, from.corrections};
     // What was found is a cap, and never undercuts the ones for more corrections.
-    caps_.most_m[i] = std::min(caps_.most_m[i], length * (1 + 1e-12));
+    caps_.most_m[i] = std::min(caps_.most_m[i], length * (1 + kRounding));
   }
 }
 

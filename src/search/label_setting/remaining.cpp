@@ -13,10 +13,6 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr std::uint64_t kPollEvery = 1024;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Sums of some thousand lengths differ by less, relatively, in whatever order.
-constexpr double kRounding = 1e-12;
 
 /// Longest d1 + d2 such that d1 <= most1, d2 <= most2 and rate1 d1 + rate2 d2 <= limit: at a corner of this polygon.
 /// most2 alone keeps the limit.
@@ -90,6 +86,9 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
   const CorrectionGraph& graph = *graph_;
   std::vector<StepTable::Step> steps;
   std::vector<double> most_error(graph.size(), -1);
+  // Of the last label put in the queue: spares many that it dominates.
+  std::vector<double> open_error(graph.size(), -1);
+  std::vector<double> open_length(graph.size(), 0);
   std::vector<Label> pool{{.error = kInfinity, .node = graph.goal()}};
   LabelQueue queue;
   queue.push(0, 0);
@@ -114,7 +113,10 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
       if (error <= most_error[i]) return;
       const double length = at.length_m + d;
       const double key = length + graph.length(graph.start(), i);
-      if (key * (1 - kRounding) > upper_m_ || !graph.is_free(i, at.node)) return;
+      if (key * (1 - kRounding) > upper_m_ || (error <= open_error[i] && length >= open_length[i])) return;
+      if (!graph.is_free(i, at.node)) return;
+      open_error[i] = error;
+      open_length[i] = length;
       queue.push(key, static_cast<std::uint32_t>(pool.size()));
       pool.push_back({.length_m = length, .error = error, .node = i, .corrections = corrections});
     });

@@ -7,13 +7,11 @@ namespace alate {
 namespace {
 
 using Node = CorrectionGraph::Node;
-constexpr std::uint64_t kPollEvery = 1024;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Search {
  public:
   Search(const CorrectionGraph& graph, const ShortestOptions& options)
-      : graph_(graph), options_(options), least_error_(graph.size(), kInfinity) {}
+      : graph_(graph), options_(options), least_error_(graph.size(), kInfinity), open_(graph.size()) {}
 
   ShortestResult run(RunContext& run) {
     add({.node = graph_.start()}, 0);
@@ -51,9 +49,13 @@ class Search {
       if (error >= least_error_[j]) return;
       const double length = from.length_m + d;
       const double ahead = graph_.length(j, goal);
-      if (length + ahead > options_.most_m || !graph_.is_free(from.node, j)) return;
+      if (length + ahead > options_.most_m) return;
       const Label next{length, error, j, index, from.corrections + 1};
-      add(next, cost(next) + options_.weight * ahead);
+      const double spent = cost(next);
+      if (error >= open_[j].error && spent >= open_[j].cost) return;
+      if (!graph_.is_free(from.node, j)) return;
+      open_[j] = {error, spent};
+      add(next, spent + options_.weight * ahead);
     });
   }
 
@@ -66,7 +68,13 @@ class Search {
 
   const CorrectionGraph& graph_;
   const ShortestOptions& options_;
+  /// Of the label of a node that went into the queue last: spares many that it dominates.
+  struct Open {
+    double error = kInfinity;
+    double cost = kInfinity;
+  };
   std::vector<double> least_error_;
+  std::vector<Open> open_;
   std::vector<Label> pool_;
   LabelQueue queue_;
   ShortestResult result_;
