@@ -66,7 +66,7 @@ class CorrectionAco {
   CorrectionFound fly_colony(const CorrectionTask& task, RunContext& run) const {
     const RelaxedToGo to_go(task.graph, RelaxedToGo::Extent::everywhere, run);
     if (to_go.stopped()) return {};
-    const Successors successors(task.graph, to_go, count("candidates"), run.executor());
+    const Successors successors(task.graph, to_go, count("candidates"), run);
     const StringWindows windows(task.graph, successors, task.price,
                                 {.most_old = count("window_old"), .most_new = count("window_new")});
     const CorrectionAnts space(task.graph, to_go, successors, task.price, count("step_limit"));

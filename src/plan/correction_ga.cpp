@@ -54,7 +54,7 @@ class CorrectionGa {
   Evolved breed_strings(const CorrectionTask& task, const RoutePrice& price, RunContext& run) const {
     const RelaxedToGo to_go(task.graph, RelaxedToGo::Extent::everywhere, run);
     if (to_go.stopped()) return {};
-    const Successors successors(task.graph, to_go, count("candidates"), run.executor());
+    const Successors successors(task.graph, to_go, count("candidates"), run);
     const StringWindows windows(task.graph, successors, price,
                                 {.most_old = count("window_old"), .most_new = count("window_new")});
     const StringBreeder breeder(task.graph, to_go, successors, windows, price,

@@ -6,14 +6,22 @@ namespace {
 
 using Node = CorrectionGraph::Node;
 
-/// The cheapest filling of one window between nodes `from` and `to` of a trip.
+/// Between nodes `from` and `to` of a trip, to be filled with at most `most_new` points.
+struct Window {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  std::size_t most_new = 0;
+};
+
+/// The cheapest filling of one window.
 class Filling {
  public:
   Filling(const CorrectionGraph& graph, const Successors& successors, const RoutePrice& price)
       : graph_(graph), successors_(successors), price_(price) {}
 
   /// Finds a filling that is cheaper than what is there now by more than rounding.
-  bool find(const Trip& trip, std::size_t from, std::size_t to, std::size_t most_new) {
+  bool find(const Trip& trip, const Window& window) {
+    const auto [from, to, most_new] = window;
     constexpr double kHair = 1e-9;
     double length = 0;
     for (std::size_t i = from + 1; i <= to; ++i) length += trip.leg_m[i];
@@ -77,29 +85,39 @@ class Filling {
   PointString best_;
 };
 
+/// A string under change, and its trip.
+struct Improver {
+  Filling filling;
+  Trip trip;
+  Trip trial = {};
+  PointString changed = {};
+
+  bool replace(const CorrectionGraph& graph, PointString& points, const Window& window) {
+    if (!filling.find(trip, window)) return false;
+    changed.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(window.from));
+    changed.insert(changed.end(), filling.best().begin(), filling.best().end());
+    changed.insert(changed.end(), points.begin() + static_cast<std::ptrdiff_t>(window.to) - 1, points.end());
+    fly(graph, changed, trial);
+    if (!trial.keeps_limits) return false;  // `room` is exact but for rounding
+    std::swap(points, changed);
+    std::swap(trip, trial);
+    return true;
+  }
+};
+
 }  // namespace
 
 bool StringWindows::improve(PointString& points, RunContext& run) const {
-  Filling filling(graph_, successors_, price_);
-  Trip trip = fly(graph_, points);
-  Trip trial;
-  PointString changed;
+  Improver improver{.filling = Filling(graph_, successors_, price_), .trip = fly(graph_, points)};
   bool any = false;
-  // Ends of windows that were tried since the last change; after one, all are tried again.
-  for (std::size_t quiet = 0, from = 0; quiet < trip.last(); ++quiet, from = from + 1 < trip.last() ? from + 1 : 0) {
-    for (std::size_t to = from + 1; to <= std::min(trip.last(), from + 1 + options_.most_old); ++to) {
-      if (!run.keep_going()) return any;
-      if (!filling.find(trip, from, to, options_.most_new)) continue;
-      changed.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(from));
-      changed.insert(changed.end(), filling.best().begin(), filling.best().end());
-      changed.insert(changed.end(), points.begin() + static_cast<std::ptrdiff_t>(to) - 1, points.end());
-      fly(graph_, changed, trial);
-      if (!trial.keeps_limits) continue;  // `room` is exact but for rounding
-      std::swap(points, changed);
-      std::swap(trip, trial);
-      any = true;
-      quiet = 0;
-      if (from >= trip.last()) break;
+  for (bool changed = true; changed; any = any || changed) {
+    changed = false;
+    for (std::size_t from = 0; from < improver.trip.last(); ++from) {
+      for (std::size_t lost = 0; lost <= options_.most_old && from + lost < improver.trip.last(); ++lost) {
+        if (!run.keep_going()) return any || changed;
+        if (improver.replace(graph_, points, {.from = from, .to = from + 1 + lost, .most_new = options_.most_new}))
+          changed = true;
+      }
     }
   }
   return any;

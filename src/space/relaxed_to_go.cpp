@@ -11,11 +11,10 @@ using Node = CorrectionGraph::Node;
 constexpr double kAnyError = std::numeric_limits<double>::infinity();
 
 struct Reached {
+  double key = 0;
   double to_go = 0;
   Node node = 0;
-  bool operator>(const Reached& other) const {
-    return to_go > other.to_go || (to_go == other.to_go && node > other.node);
-  }
+  bool operator>(const Reached& other) const { return key > other.key || (key == other.key && node > other.node); }
 };
 
 }  // namespace
@@ -25,7 +24,11 @@ RelaxedToGo::RelaxedToGo(const CorrectionGraph& graph, Extent extent, RunContext
   std::vector<double> best = to_go_;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
   best[graph.goal()] = 0;
-  open.push({0, graph.goal()});
+  const auto open_node = [&](Node i, double to_go) {
+    const double ahead = extent == Extent::until_start ? graph.length(graph.start(), i) : 0;
+    open.push({to_go + ahead, to_go, i});
+  };
+  open_node(graph.goal(), 0);
   constexpr std::uint64_t kPollEvery = 1024;
   for (std::uint64_t count = 0; !open.empty(); ++count) {
     if (count % kPollEvery == 0 && !run.keep_going()) {
@@ -43,7 +46,7 @@ RelaxedToGo::RelaxedToGo(const CorrectionGraph& graph, Extent extent, RunContext
     graph.for_each_previous(now.node, kAnyError, [&](Node i, double length, double /*most*/) {
       if (!(now.to_go + length < best[i])) return;
       best[i] = now.to_go + length;
-      open.push({best[i], i});
+      open_node(i, best[i]);
     });
   }
 }

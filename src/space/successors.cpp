@@ -25,11 +25,14 @@ std::vector<Successors::Arc> list_of(const CorrectionGraph& graph, const Relaxed
 
 }  // namespace
 
-Successors::Successors(const CorrectionGraph& graph, const RelaxedToGo& to_go, std::size_t most, Executor& executor)
+Successors::Successors(const CorrectionGraph& graph, const RelaxedToGo& to_go, std::size_t most, RunContext& run)
     : lists_(graph.size()) {
-  executor.for_ranges(graph.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  constexpr std::size_t kPollEvery = 256;
+  run.executor().for_ranges(graph.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i % kPollEvery == 0 && !run.keep_going()) return;
       if (i != graph.goal()) lists_[i] = list_of(graph, to_go, static_cast<Node>(i), most);
+    }
   });
   for (const auto& list : lists_) longest_ = std::max(longest_, list.size());
 }

@@ -18,8 +18,8 @@ class Successors {
     double length_m = 0;
   };
 
-  /// At most `most` a node. Lists are made in parallel.
-  Successors(const CorrectionGraph& graph, const RelaxedToGo& to_go, std::size_t most, Executor& executor);
+  /// At most `most` a node. Lists are made in parallel; where `run` ends that they are not complete.
+  Successors(const CorrectionGraph& graph, const RelaxedToGo& to_go, std::size_t most, RunContext& run);
 
   std::span<const Arc> of(Node i) const { return lists_[i]; }
   /// Length of the longest list.

@@ -13,7 +13,7 @@ struct Nursery {
       : field(std::move(drawn)),
         graph(field.navigation, field.start, field.goal),
         to_go(graph, RelaxedToGo::Extent::everywhere, run),
-        successors(graph, to_go, 128, run.executor()),
+        successors(graph, to_go, 128, run),
         windows(graph, successors, {}, {}),
         breeder(graph, to_go, successors, windows, {}, {}) {}
 

@@ -15,7 +15,7 @@ struct Case {
       : field(draw_corrections(law, points, seed)),
         graph(field.navigation, field.start, field.goal),
         to_go(graph, RelaxedToGo::Extent::everywhere, run),
-        successors(graph, to_go, 1000, run.executor()),
+        successors(graph, to_go, 1000, run),
         first(sparse_astar(graph, {}, run)) {}
 
   PointString improved(const WindowOptions& options, const RoutePrice& price, RunContext& run) const {

@@ -18,7 +18,7 @@ class CorrectionAntsTest : public testing::Test {
   Executor executor_{1};
   RunContext run_{executor_, {}};
   RelaxedToGo to_go_{graph_, RelaxedToGo::Extent::everywhere, run_};
-  Successors successors_{graph_, to_go_, 40, executor_};
+  Successors successors_{graph_, to_go_, 40, run_};
   RoutePrice price_{.per_m = 1, .per_correction = 100};
   CorrectionAnts ants_{graph_, to_go_, successors_, price_, 100};
 };

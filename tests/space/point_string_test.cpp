@@ -96,8 +96,8 @@ TEST_F(RelaxedWay, IsTheShortestOverLegsThatCanBeFlownWithoutError) {
 TEST_F(RelaxedWay, SuccessorsAreTheMostPromisingAndTheGoalIsKept) {
   const CorrectionGraph graph = graph_of(draw_corrections(CorrectionLaw::set1, 300, 4));
   const RelaxedToGo to_go(graph, RelaxedToGo::Extent::everywhere, run_);
-  const Successors all(graph, to_go, 1000, executor_);
-  const Successors few(graph, to_go, 5, executor_);
+  const Successors all(graph, to_go, 1000, run_);
+  const Successors few(graph, to_go, 5, run_);
   EXPECT_EQ(few.longest(), 5U);
   const auto estimate = [&](const Successors::Arc& arc) { return arc.length_m + to_go(arc.to); };
   int goals = 0;
