@@ -69,7 +69,7 @@ class Wrapping {
       return;
     }
     plan_.outcome = length_m * (1 - kHair) <= bound_m_ ? Outcome::optimal : Outcome::feasible;
-    plan_.route = straight_route(problem_.mission, points_of(graph, found.points));
+    plan_.route = route_over(problem_.world.site(), points_of(graph, found.points));
     plan_.cost = problem_.objective.length * length_m;
   }
 

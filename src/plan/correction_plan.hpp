@@ -9,10 +9,11 @@
 namespace alate {
 
 /// Why routes over correction points that are as short as can be are not what the problem asks for; empty if they are.
+/// Turns are planned in open air alone.
 std::string correction_refusal(const Problem& problem);
 
-/// Straight legs from the start through the points to the goal.
-Route straight_route(const Mission& mission, const std::vector<CorrectionPoint>& points);
+/// From the start through the points to the goal, as the site's turn model says.
+Route route_over(const Site& site, const std::vector<CorrectionPoint>& points);
 
 /// Length, corrections, probability of success and ids.
 FrontPoint front_point(const Site& site, const CorrectionRoute& route);

@@ -8,6 +8,8 @@
 #include "plan/correction_planners.hpp"
 #include "search/label_setting/chance_front.hpp"
 #include "search/label_setting/gap.hpp"
+#include "search/label_setting/shortest.hpp"
+#include "search/turning/turning_front.hpp"
 
 namespace alate {
 
@@ -34,7 +36,10 @@ FrontResult within_range(const Problem& problem, FrontResult found) {
 }
 
 FrontResult search(const Problem& problem, const CorrectionGraph& graph, RunContext& run) {
-  if (!problem.front && problem.prefer == Preference::length) return shortest_alone(graph, run);
+  const bool alone = !problem.front && problem.prefer == Preference::length;
+  if (graph.limits().turn_model != TurnModel::none)
+    return turning_front(graph, turn_rule(problem.world.site()), alone, run);
+  if (alone) return shortest_alone(graph, run);
   const bool chances = problem.front || problem.prefer == Preference::probability;
   return chances && graph.unreliable() ? chance_front(graph, run) : correction_front(graph, run);
 }
@@ -43,6 +48,9 @@ std::string why_not(const Problem& problem, const CorrectionGraph& graph, const 
   if (found.bound_m < kInfinity)
     return fmt::format("the shortest route within the error limits is {:.1f} m long, beyond the range of {:g} m",
                        found.bound_m, *problem.vehicle.range_m);
+  if (graph.limits().turn_model != TurnModel::none && shortest_route(graph, {}, run).route)
+    return fmt::format("straight legs lead to the goal within the error limits, but none that turn on {:g} m",
+                       graph.limits().turn_radius_m);
   return describe_gap(graph, run);
 }
 
@@ -55,20 +63,20 @@ bool settle(const Problem& problem, const FrontResult& found, Plan& plan) {
     std::vector<FrontPoint> front;
     for (const CorrectionRoute& route : found.routes) front.push_back(front_point(site, route));
     const std::size_t choice = preferred(front, problem.prefer);
-    plan.outcome = Outcome::optimal;
-    plan.route = straight_route(problem.mission, found.routes[choice].points);
+    plan.outcome = found.proven ? Outcome::optimal : Outcome::feasible;
+    plan.route = route_over(site, found.routes[choice].points);
     plan.cost = weight * front[choice].length_m;
-    if (problem.prefer == Preference::length) plan.lower_bound = plan.cost;
+    if (problem.prefer == Preference::length && found.proven) plan.lower_bound = plan.cost;
     if (problem.front) plan.front = std::move(front);
   } else if (found.best) {
     plan.outcome = Outcome::feasible;
-    plan.route = straight_route(problem.mission, found.best->points);
+    plan.route = route_over(site, found.best->points);
     plan.cost = weight * found.best->length_m;
   }
   return !plan.route.empty();
 }
 
-/// Exact: A* on labels for the shortest route, layers of labels for the front.
+/// Exact: A* on labels for the shortest route, layers of labels for the front; branch and bound where legs turn.
 struct LabelSettingPlanner {
   Plan plan(const Problem& problem, RunContext& run) const {
     Plan plan{.seed = run.seed(), .why = "stopped before any route reached the goal"};
@@ -97,7 +105,8 @@ PlannerEntry label_setting_entry() {
           .help =
               "Exact routes over correction points: the shortest, or the whole front of length, corrections and, "
               "where corrections may fail, probability of success (set navigation.success to 1 for a front without "
-              "it). Asked for the shortest route it takes all corrections to work, and tells the probability.",
+              "it). Asked for the shortest route, or to turn, it takes all corrections to work, and tells the "
+              "probability. Turns are exact for arc_tangent; free_heading is good, with the bound of straight legs.",
           .can = {.exact = true, .deterministic = true, .terrain = true, .space = "correction points"},
           .presets = {{.name = "default", .help = "It has no parameters."}},
           .parameters = ParamTable(std::vector<Parameter>{}),

@@ -20,12 +20,12 @@ Navigation without_points(const Navigation& navigation) {
           .goal_id = navigation.goal_id};
 }
 
+}  // namespace
+
 bool has_obstacles(const Site& site) {
   return site.has_ground() || site.band.ceiling_amsl_m || site.vehicle.climb_rad || site.vehicle.descent_rad ||
          std::ranges::any_of(site.threats, [](const Threat& threat) { return threat.core_m > 0; });
 }
-
-}  // namespace
 
 CorrectionGraph::CorrectionGraph(const World& world)
     : CorrectionGraph(without_points(*world.site().navigation), has_obstacles(world.site()) ? &world : nullptr) {

@@ -14,6 +14,9 @@
 
 namespace alate {
 
+/// Ground, ceilings, cores of threats or climb limits: can a straight leg be closed?
+bool has_obstacles(const Site& site);
+
 /// Points with start and goal, indexed 0 to size() - 1: first those that reset the vertical error, then those that
 /// reset the horizontal one, each sorted by cells of a grid; then the start, then the goal. Arcs are found on demand.
 class CorrectionGraph {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
+#include <vector>
+
+#include "space/turning_flight.hpp"
 
 namespace alate {
 
@@ -25,42 +27,7 @@ const CorrectionPoint* find(const Navigation& navigation, int id) {
   return found == navigation.points.end() ? nullptr : &*found;
 }
 
-std::string name_of(const std::optional<int>& id, const char* otherwise) {
-  return id ? fmt::format("point {}", *id) : otherwise;
-}
-
-/// Flies leg after leg, the heading at the end of each kept for the next.
-class Pilot {
- public:
-  explicit Pilot(const Site& site) : navigation_(*site.navigation) {
-    route_.states.push_back({.position = site.mission.start, .leg = LegKind::start});
-  }
-
-  /// False if the leg cannot be flown.
-  bool fly_to(const Vec3& to, std::optional<int> id) {
-    const Vec3& from = route_.states.back().position;
-    const bool turns = heading_ && navigation_.turn_model == TurnModel::arc_tangent;
-    const auto leg = turns ? arc_tangent_leg({from, *heading_}, to, navigation_.turn_radius_m) : straight_leg(from, to);
-    if (!leg) return false;
-    append_leg(route_, *leg, navigation_.turn_radius_m, to);
-    route_.states.back().point_id = id;
-    heading_ = leg->heading;
-    return true;
-  }
-
-  Route take() { return std::move(route_); }
-
- private:
-  const Navigation& navigation_;
-  Route route_;
-  std::optional<Vec3> heading_;
-};
-
-RouteThrough refusal(const std::optional<int>& from, const std::optional<int>& to) {
-  return {.route = {},
-          .why = fmt::format("the leg from {} to {} cannot be flown: its end is too near for the turn",
-                             name_of(from, "the start"), name_of(to, "the goal"))};
-}
+std::string point_name(int id) { return fmt::format("point {}", id); }
 
 }  // namespace
 
@@ -76,17 +43,28 @@ void append_leg(Route& route, const TurningLeg& leg, double radius_m, const Vec3
 }
 
 RouteThrough route_through(const Site& site, std::span<const int> ids) {
-  assert(site.navigation && site.navigation->turn_model != TurnModel::free_heading);
-  Pilot pilot(site);
-  std::optional<int> last;
+  assert(site.navigation);
+  std::vector<Vec3> places{site.mission.start};
   for (const int id : ids) {
     const CorrectionPoint* point = find(*site.navigation, id);
     if (point == nullptr) return {.route = {}, .why = fmt::format("there is no correction point {}", id)};
-    if (!pilot.fly_to(point->position, id)) return refusal(last, id);
-    last = id;
+    places.push_back(point->position);
   }
-  if (!pilot.fly_to(site.mission.goal, std::nullopt)) return refusal(last, std::nullopt);
-  return {.route = pilot.take(), .why = {}};
+  places.push_back(site.mission.goal);
+  const TurningFlight flight = fly_over(places, turn_rule(site));
+  const std::size_t flown = flight.legs.size();
+  if (flown <= ids.size())
+    return {.route = {},
+            .why = fmt::format("the leg from {} to {} cannot be flown: its end is too near for the turn",
+                               flown > 0 ? point_name(ids[flown - 1]) : "the start",
+                               flown < ids.size() ? point_name(ids[flown]) : "the goal")};
+  RouteThrough through;
+  through.route.states.push_back({.position = site.mission.start, .leg = LegKind::start});
+  for (std::size_t i = 0; i < flown; ++i) {
+    append_leg(through.route, flight.legs[i], site.navigation->turn_radius_m, places[i + 1]);
+    if (i < ids.size()) through.route.states.back().point_id = ids[i];
+  }
+  return through;
 }
 
 }  // namespace alate

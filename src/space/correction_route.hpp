@@ -18,9 +18,9 @@ struct RouteThrough {
   std::string why;  ///< Then: which leg, in plain words.
 };
 
-/// Start, the points with these ids in order, goal; straight legs, or arc and tangent where the site's turn model is
-/// arc_tangent (the first leg is straight). Limits of the errors are not judged: `check` does. The site must have
-/// navigation; free headings are not decided by the points alone and cannot be had here.
+/// Start, the points with these ids in order, goal, flown as the site's turn model says (see fly_over). The first leg
+/// is straight unless the start's heading is given. Limits of the errors are not judged: `check` does. The site must
+/// have navigation.
 RouteThrough route_through(const Site& site, std::span<const int> ids);
 
 }  // namespace alate

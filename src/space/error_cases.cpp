@@ -45,20 +45,27 @@ double total_probability(std::span<const ErrorCase> cases) {
                          [](double sum, const ErrorCase& one) { return sum + one.probability; });
 }
 
-double success_probability(const Navigation& navigation, const Vec3& start, const Vec3& goal,
-                           std::span<const CorrectionPoint> points) {
+double success_probability(const Navigation& navigation, std::span<const CorrectionLeg> legs) {
   std::vector<ErrorCase> cases{{}};
   std::vector<ErrorCase> next;
-  Vec3 at = start;
-  const auto fly = [&](const Vec3& to, PointKind kind, double success) {
+  for (const CorrectionLeg& leg : legs) {
     next.clear();
-    fly_cases(navigation, cases, {.length_m = (to - at).norm(), .kind = kind, .success = success}, next);
+    fly_cases(navigation, cases, leg, next);
     cases.swap(next);
-    at = to;
-  };
-  for (const CorrectionPoint& point : points) fly(point.position, point.kind, point.success);
-  fly(goal, PointKind::end, 1);
+  }
   return std::min(1.0, total_probability(cases));
+}
+
+double success_probability(const Navigation& navigation, const Vec3& start, const Vec3& goal,
+                           std::span<const CorrectionPoint> points) {
+  std::vector<CorrectionLeg> legs;
+  Vec3 at = start;
+  for (const CorrectionPoint& point : points) {
+    legs.push_back({.length_m = (point.position - at).norm(), .kind = point.kind, .success = point.success});
+    at = point.position;
+  }
+  legs.push_back({.length_m = (goal - at).norm(), .kind = PointKind::end, .success = 1});
+  return success_probability(navigation, legs);
 }
 
 }  // namespace alate

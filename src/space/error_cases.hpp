@@ -31,6 +31,10 @@ void fly_cases(const Navigation& navigation, std::span<const ErrorCase> before, 
 /// Sum of the probabilities.
 double total_probability(std::span<const ErrorCase> cases);
 
+/// Exact probability that a flight of these legs breaks no limit, each correction failing or not independently of all
+/// others.
+double success_probability(const Navigation& navigation, std::span<const CorrectionLeg> legs);
+
 /// Exact probability that a route of straight legs through `points` breaks no limit, each correction failing or not
 /// independently of all others.
 double success_probability(const Navigation& navigation, const Vec3& start, const Vec3& goal,

@@ -9,11 +9,12 @@
 namespace alate {
 
 struct FrontResult {
-  std::vector<CorrectionRoute> routes;  ///< Proven; more corrections and shorter, one after the other.
+  std::vector<CorrectionRoute> routes;  ///< More corrections and shorter, one after the other.
   std::optional<CorrectionRoute> best;  ///< Shortest known, if the search was stopped.
   double bound_m = 0;                   ///< No route is shorter. Infinity: there is none.
   std::uint64_t labels = 0;
   bool stopped = false;
+  bool proven = true;  ///< False: the routes are good, but others may be better.
 };
 
 /// First a good route by weighted A* and one with few corrections; then the fewest corrections, proven by a backward

@@ -105,7 +105,7 @@ std::string describe_gap(const CorrectionGraph& graph, RunContext& run) {
   const Gap gap = search.run(run);
   const double error = search.error_at(gap.from);
   const std::string head = fmt::format(
-      "no route: {} of {} correction points can be reached from the start. The leg that is wanting least, "
+      "{} of {} correction points can be reached from the start. The leg that is wanting least, "
       "from {} to {}, ",
       search.reached(), graph.point_count(), name_of(graph, gap.from), name_of(graph, gap.to));
   if (gap.wanting_m <= 0)
