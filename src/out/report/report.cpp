@@ -89,7 +89,7 @@ std::string body(const Result& result) {
   html += page_section("Navigation errors along the way", errors_figure(result));
   html += page_section("The best trade-offs", front_figure(result));
   if (found) html += page_section("What was checked", rules_table(result));
-  html += page_section("How the ants went", history_figure(result.plan.history));
+  html += page_section("How the search went", history_figure(result.plan.history));
   html += page_section("Numbers", numbers_table(result));
   html += page_section("To know before flying", warning_list(result));
   html += page_section("How it was made", settings_table(result) + scenario_text(result.site.scenario));
