@@ -53,6 +53,7 @@ class TrailLevels {
     least_ = static_cast<float>(least);
     most_ = static_cast<float>(most);
   }
+  void set_evaporation(double rho) { kept_ = static_cast<float>(1 - rho); }
   void set_unknown(double level) { unknown_ = static_cast<float>(level); }
   bool unknown_decays() const { return unknown_decays_; }
 
