@@ -1,8 +1,6 @@
 // Ants on the attitude lattice: Konatowski, Pawlowski 2019 as published, and made good.
 //
 // Every preset is a row of parameter values; the loop is aco/colony.hpp.
-#include <variant>
-
 #include "aco/colony.hpp"
 #include "aco/deposit/ant_system.hpp"
 #include "aco/deposit/colony_system.hpp"
@@ -13,6 +11,7 @@
 #include "aco/heuristic/power.hpp"
 #include "aco/local_search/action_string.hpp"
 #include "aco/local_search/none.hpp"
+#include "aco/one_of.hpp"
 #include "aco/pheromone/grid_cells.hpp"
 #include "aco/pheromone/hash_cells.hpp"
 #include "aco/pheromone/trail.hpp"
@@ -28,21 +27,6 @@
 namespace alate {
 
 namespace {
-
-/// One of several policies, picked by parameters; asked once a step, which costs little.
-template <class... Policies>
-struct OneOf {
-  std::variant<Policies...> policy;
-
-  template <class... Arguments>
-  decltype(auto) operator()(Arguments&&... arguments) const {
-    return std::visit([&](const auto& one) -> decltype(auto) { return one(arguments...); }, policy);
-  }
-  template <class... Arguments>
-  decltype(auto) operator()(Arguments&&... arguments) {
-    return std::visit([&](auto& one) -> decltype(auto) { return one(arguments...); }, policy);
-  }
-};
 
 using AnyHeuristic = OneOf<GoalDirected, PowerHeuristic>;
 using AnyTransition = OneOf<Roulette, PseudoRandom>;

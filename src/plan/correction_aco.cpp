@@ -2,12 +2,12 @@
 //
 // Every preset is a row of parameter values; the loop is aco/colony.hpp.
 #include <algorithm>
-#include <variant>
 
 #include "aco/colony.hpp"
 #include "aco/deposit/ant_system.hpp"
 #include "aco/deposit/max_min.hpp"
 #include "aco/heuristic/goal_directed.hpp"
+#include "aco/one_of.hpp"
 #include "aco/pheromone/hash_cells.hpp"
 #include "aco/pheromone/trail.hpp"
 #include "aco/transition/roulette.hpp"
@@ -39,15 +39,7 @@ struct WindowSearch {
   }
 };
 
-struct AnyDeposit {
-  std::variant<AntSystem, MaxMin> policy;
-
-  template <class Trail>
-  void operator()(Trail& trail, const Harvest& harvest) {
-    std::visit([&](auto& one) { one(trail, harvest); }, policy);
-  }
-};
-
+using AnyDeposit = OneOf<AntSystem, MaxMin>;
 using PointTrail = Trail<HashCells>;
 using Policies = ColonyPolicies<GoalDirected, Roulette, PointTrail, AnyDeposit, WindowSearch>;
 

@@ -5,6 +5,7 @@
 
 #include "plan/attitude_planners.hpp"
 #include "plan/correction_planners.hpp"
+#include "plan/grid_planners.hpp"
 
 namespace alate {
 
@@ -39,6 +40,7 @@ const Registry& builtin_planners() {
     registry.add(sparse_astar_entry());
     registry.add(correction_ga_entry());
     registry.add(correction_aco_entry());
+    registry.add(grid_aco_entry());
     return registry;
   }();
   return kRegistry;

@@ -1,0 +1,129 @@
+#include "plan/grid_plan.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "space/objective.hpp"
+
+namespace alate {
+
+namespace {
+
+struct CellPlace {
+  int column = 0;
+  int row = 0;
+};
+
+/// The free cell whose middle `place` is.
+std::optional<CellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
+  constexpr double kHair = 1e-9;
+  const Vec2 cells = place.head<2>() / grid.cell_m;
+  const Vec2 extent(grid.columns, grid.rows);
+  if (!((cells.array() >= 0).all() && (cells.array() < extent.array()).all())) return std::nullopt;
+  const CellPlace cell{.column = static_cast<int>(cells.x()), .row = grid.rows - 1 - static_cast<int>(cells.y())};
+  if (grid.blocked_at(cell.column, cell.row)) return std::nullopt;
+  if ((grid.center(cell.column, cell.row) - place).norm() > kHair * grid.cell_m) return std::nullopt;
+  return cell;
+}
+
+Route route_of(const Problem& problem, const GridSpace& space, const std::vector<std::uint32_t>& directions) {
+  Route route;
+  route.states.push_back({.position = problem.mission.start, .leg = LegKind::start});
+  GridSpace::Cell cell = space.start();
+  for (const std::uint32_t d : directions) {
+    cell = space.neighbour(cell, d);
+    const Vec3 center = problem.world.site().grid->center(space.column(cell), space.row(cell));
+    route.states.push_back({.position = center, .leg = LegKind::straight});
+  }
+  return route;
+}
+
+std::string no_way(const GridSpace& space, const std::vector<std::uint8_t>& reached) {
+  GridSpace::Cell nearest = space.start();
+  for (GridSpace::Cell cell = 0; cell < space.cells(); ++cell)
+    if (reached[cell] != 0 && space.to_goal(cell) < space.to_goal(nearest)) nearest = cell;
+  return fmt::format(
+      "blocked cells part the start from the goal: of the cells that moves from the start reach, [{}, {}] is the "
+      "nearest to the goal, {:.1f} cells from it",
+      space.column(nearest), space.row(nearest), space.to_goal(nearest));
+}
+
+std::string nothing_found(Stop stop) {
+  if (stop == Stop::deadline || stop == Stop::cancelled) return "stopped before any route was found";
+  return "every ant walked into a dead end, though there is a way; a longer search may find it";
+}
+
+std::uint64_t last_change(const std::vector<IterationStats>& history) {
+  std::uint64_t last = 0;
+  for (std::size_t i = 0; i < history.size(); ++i)
+    if (history[i].best_so_far && (i == 0 || history[i].best_so_far != history[i - 1].best_so_far)) last = i + 1;
+  return last;
+}
+
+/// From cell sides to metres.
+std::vector<IterationStats> in_metres(std::vector<IterationStats> history, double cell_m) {
+  for (IterationStats& stats : history)
+    for (std::optional<double>* length : {&stats.best_so_far, &stats.best, &stats.mean, &stats.worst})
+      if (*length) **length *= cell_m;
+  return history;
+}
+
+}  // namespace
+
+std::string grid_refusal(const Problem& problem) {
+  const Site& site = problem.world.site();
+  const ObjectiveSpec& objective = problem.objective;
+  if (!site.grid) return "steps from cell to cell of a grid; add grid";
+  if (!cell_of(*site.grid, problem.mission.start) || !cell_of(*site.grid, problem.mission.goal))
+    return "starts and ends in the middle of free cells; give start.cell and goal.cell";
+  if (site.navigation) return "knows nothing of navigation errors; leave out navigation";
+  if (!site.threats.empty()) return "knows nothing of threats; leave them out, or block their cells";
+  if (site.vehicle.turn_radius_m)
+    return "flies straight legs with corners, which the vehicle's turning radius forbids; leave out "
+           "vehicle.turn_radius_m";
+  if (objective.model != CostModel::physical || objective.length <= 0)
+    return "looks for short routes; set objective.model to physical and objective.length above 0";
+  return "";
+}
+
+Plan plan_on_grid(const Problem& problem, RunContext& run, const GridOptions& options, const GridSearch& search) {
+  const HeightGrid& grid = *problem.world.site().grid;
+  const CellPlace start = *cell_of(grid, problem.mission.start);
+  const CellPlace goal = *cell_of(grid, problem.mission.goal);
+  const GridSpace space(grid, {start.column, start.row, goal.column, goal.row}, options.diagonal, options.score);
+  const std::vector<std::uint8_t> reached = space.flood(space.start());
+  const bool has_way = reached[space.goal()] != 0;
+
+  GridFound found;
+  if (space.start() == space.goal())
+    found.found = true;
+  else if (has_way)
+    found = search(space);
+  Plan plan;
+  plan.seed = run.seed();
+  const GridSpace planar(grid, {start.column, start.row, goal.column, goal.row}, std::numbers::sqrt2, {});
+  constexpr double kHair = 1e-12;  // a sum of legs in another order
+  plan.lower_bound =
+      problem.objective.length * grid.cell_m * planar.octile(planar.start(), planar.goal()) * (1 - kHair);
+  if (found.found) {
+    plan.outcome = Outcome::feasible;
+    plan.route = route_of(problem, space, found.directions);
+    plan.cost = Objective(problem.world).route_cost(plan.route);
+  }
+  plan.stop = run.stop();
+  plan.reproducible = plan.stop != Stop::deadline && plan.stop != Stop::cancelled;
+  plan.counters = {{"candidates", found.moves * GridSpace::kDirections},
+                   {"expansions", found.moves},
+                   {"iterations", run.iterations()},
+                   {"last_change", last_change(found.history)}};
+  plan.history = in_metres(std::move(found.history), grid.cell_m);
+  if (!has_way) plan.outcome = Outcome::infeasible_proven;
+  if (!found.found) plan.why = has_way ? nothing_found(plan.stop) : no_way(space, reached);
+  return plan;
+}
+
+}  // namespace alate
