@@ -80,19 +80,19 @@ void against_literal(benchmark::State& state, const HeightGrid& grid, const Grid
 }
 
 void table_step(benchmark::State& state) {
-  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 1);
+  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, std::numbers::sqrt2);
-  against_literal(state, grid, space, MoveTable(space, goal_distance_table(space, 3), 1, 0), false);
+  against_literal(state, grid, space, MoveTable(goal_distance_table(space, 3), 1, 0), false);
 }
 
 void guided_step(benchmark::State& state) {
-  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 1);
+  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, std::numbers::sqrt2);
-  against_literal(state, grid, space, MoveTable(space, goal_directed_table(space, 0.4), 1, 0), false);
+  against_literal(state, grid, space, MoveTable(goal_directed_table(space, 0.4), 1, 0), false);
 }
 
 void multi_factor_step(benchmark::State& state) {
-  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 1);
+  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, 1.4);
   against_literal(state, grid, space, MultiFactor(space, {.mu_power = 1}), true);
 }
@@ -100,10 +100,10 @@ void multi_factor_step(benchmark::State& state) {
 /// What comes between walks: 50 ants deposit, all trails evaporate, tables are built again. Nanoseconds a move left, a
 /// cell with trails.
 void trails(benchmark::State& state) {
-  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 1);
+  const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, std::numbers::sqrt2);
   using Policies = GridPolicies<MoveTable, AntSystem, NoLocalSearch>;
-  Policies policies{MoveTable(space, goal_distance_table(space, 3), 1, 0),
+  Policies policies{MoveTable(goal_distance_table(space, 3), 1, 0),
                     Trail<MoveCells>(MoveCells(space.cells()), {.evaporation = 0.1, .unknown_decays = true}),
                     {},
                     {}};

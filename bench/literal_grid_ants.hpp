@@ -1,5 +1,4 @@
-// Ants on a grid word for word, as a baseline: neighbours, distances and powers anew at every step, the tabu list
-// searched. Slow on purpose.
+// Ants on a grid word for word, as a baseline: neighbours, distances and powers anew at every step.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +26,8 @@ class LiteralGridAnt {
   /// Steps until the goal or a dead end.
   std::size_t walk(std::mt19937_64& random) {
     path_.assign(1, start_);
+    visited_.assign(grid_.blocked.size(), false);
+    visited_[grid_.index(start_.first, start_.second)] = true;
     while (path_.back() != goal_ && move(random)) {
     }
     return path_.size() - 1;
@@ -44,13 +45,15 @@ class LiteralGridAnt {
 
   bool is_free(int column, int row) const { return grid_.contains(column, row) && !grid_.blocked_at(column, row); }
   static double apart(const Place& a, const Place& b) {
-    return std::sqrt(std::pow(a.first - b.first, 2) + std::pow(a.second - b.second, 2));
+    const double x = a.first - b.first;
+    const double y = a.second - b.second;
+    return std::sqrt(x * x + y * y);
   }
   double height(const Place& at) const { return grid_.height_at(at.first, at.second); }
 
-  std::vector<Option> options() const {
+  void list_options() {
     const auto [column, row] = path_.back();
-    std::vector<Option> found;
+    options_.clear();
     int direction = 0;
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
@@ -59,11 +62,10 @@ class LiteralGridAnt {
         if (!is_free(column + x, row + y)) continue;
         if (x != 0 && y != 0 && (!is_free(column + x, row) || !is_free(column, row + y))) continue;
         const Place to{column + x, row + y};
-        if (std::find(path_.begin(), path_.end(), to) != path_.end()) continue;
-        found.push_back({.to = to, .direction = index, .distance = x != 0 && y != 0 ? 1.4 : 1});
+        if (visited_[grid_.index(to.first, to.second)]) continue;
+        options_.push_back({.to = to, .direction = index, .distance = x != 0 && y != 0 ? 1.4 : 1});
       }
     }
-    return found;
   }
 
   double eta(const std::vector<Option>& all, const Option& one) const {
@@ -85,7 +87,8 @@ class LiteralGridAnt {
   }
 
   bool move(std::mt19937_64& random) {
-    std::vector<Option> all = options();
+    list_options();
+    std::vector<Option>& all = options_;
     if (all.empty()) return false;
     const auto& trails = tau[grid_.index(path_.back().first, path_.back().second)];
     double sum = 0;
@@ -100,6 +103,7 @@ class LiteralGridAnt {
     while (k + 1 < all.size() && left >= all[k].chance) left -= all[k++].chance;
     last_direction_ = all[k].direction;
     path_.push_back(all[k].to);
+    visited_[grid_.index(all[k].to.first, all[k].to.second)] = true;
     return true;
   }
 
@@ -109,6 +113,8 @@ class LiteralGridAnt {
   bool factors_;
   int last_direction_ = -1;
   std::vector<Place> path_;
+  std::vector<bool> visited_;
+  std::vector<Option> options_;
 
  public:
   std::vector<std::array<double, 8>> tau;

@@ -35,7 +35,7 @@ class GridAco {
   Plan plan(const Problem& problem, RunContext& run) const {
     return plan_on_grid(problem, run, grid_options(), [&](const GridSpace& space) {
       if (is("heuristic", "multi-factor")) return fly_colony(space, MultiFactor(space, factor_rule()), run);
-      return fly_colony(space, MoveTable(space, table(space), integer("alpha"), values_.number("q0")), run);
+      return fly_colony(space, MoveTable(table(space), integer("alpha"), values_.number("q0")), run);
     });
   }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "space/simd.hpp"
+
 namespace alate {
 
 namespace {
@@ -28,7 +30,7 @@ struct Extremes {
 };
 
 /// Of the values whose bit is set.
-Extremes extremes(const Row& values, unsigned members) {
+[[gnu::always_inline]] inline Extremes extremes(const Row& values, unsigned members) {
   Extremes result;
   for (std::size_t d = 0; d < kRow; ++d) {
     const bool is_member = ((members >> d) & 1U) != 0;
@@ -40,7 +42,7 @@ Extremes extremes(const Row& values, unsigned members) {
   return result;
 }
 
-Row row_of(const AlignedFloats& table, GridSpace::Cell cell) {
+[[gnu::always_inline]] inline Row row_of(const AlignedFloats& table, GridSpace::Cell cell) {
   Row row;
   std::copy_n(&table[kRow * cell], kRow, row.begin());
   return row;
@@ -48,8 +50,7 @@ Row row_of(const AlignedFloats& table, GridSpace::Cell cell) {
 
 }  // namespace
 
-MultiFactor::MultiFactor(const GridSpace& space, const MultiFactorRule& rule)
-    : space_(space), rule_(rule), offsets_(space.offsets()) {
+MultiFactor::MultiFactor(const GridSpace& space, const MultiFactorRule& rule) : space_(space), rule_(rule) {
   for (unsigned d = 0; d < kRow; ++d) step_factor_[d] = rule.step_factor ? static_cast<float>(1 / space.step(d)) : 0;
   if (rule.join == MultiFactorRule::Join::product && !rule.step_factor) step_factor_.fill(1);
   for (AlignedFloats* table : {&to_goal_, &descent_, &mu_, &tau_}) table->resize(kRow * space.cells());
@@ -85,15 +86,8 @@ void MultiFactor::note_trails(GridSpace::Cell cell, const Trail<MoveCells>& trai
     tau_[kRow * cell + d] = power(trail.levels().read(stored[d]), rule_.alpha) * mu_[kRow * cell + d];
 }
 
-unsigned MultiFactor::feasible(const GridStand& at) const {
-  unsigned visited = 0;
-  for (unsigned d = 0; d < kRow; ++d)
-    visited |= unsigned{at.visited[at.cell + static_cast<GridSpace::Cell>(offsets_[d])]} << d;
-  return space_.open(at.cell) & ~visited;
-}
-
 /// Eq. (2): r_ij [C], weights theta and 1 - theta [R].
-Row MultiFactor::safety(unsigned came, unsigned feasible) const {
+[[gnu::always_inline]] inline Row MultiFactor::safety(unsigned came, unsigned feasible) const {
   const auto count = static_cast<float>(std::popcount(feasible));
   const auto u = static_cast<float>(rule_.u);
   const auto theta = static_cast<float>(rule_.theta);
@@ -105,7 +99,7 @@ Row MultiFactor::safety(unsigned came, unsigned feasible) const {
   return r;
 }
 
-Row MultiFactor::eta(const GridStand& at, unsigned feasible) const {
+[[gnu::always_inline]] inline Row MultiFactor::join_factors(const GridStand& at, unsigned feasible) const {
   const auto omega = static_cast<float>(rule_.omega);
   const auto mu0 = static_cast<float>(rule_.mu0);
   const Row to_goal = row_of(to_goal_, at.cell);
@@ -129,19 +123,23 @@ Row MultiFactor::eta(const GridStand& at, unsigned feasible) const {
   return eta;
 }
 
-Row MultiFactor::weights(const GridStand& at, unsigned feasible) const {
+[[gnu::always_inline]] inline Row MultiFactor::numerators(const GridStand& at, unsigned feasible) const {
   Row weights = row_of(tau_, at.cell);
-  const Row base = eta(at, feasible);
+  const Row base = join_factors(at, feasible);
   for (int i = 0; i < rule_.beta; ++i)
     for (std::size_t d = 0; d < kRow; ++d) weights[d] *= base[d];
   for (std::size_t d = 0; d < kRow; ++d) weights[d] = ((feasible >> d) & 1U) != 0 ? weights[d] : 0;
   return weights;
 }
 
-unsigned MultiFactor::operator()(const GridStand& at, Stream& stream) const {
+Row MultiFactor::eta(const GridStand& at, unsigned feasible) const { return join_factors(at, feasible); }
+
+Row MultiFactor::weights(const GridStand& at, unsigned feasible) const { return numerators(at, feasible); }
+
+ALATE_SIMD unsigned MultiFactor::operator()(const GridStand& at, Stream& stream) const {
   const unsigned members = feasible(at);
   if (members == 0) return GridSpace::kNoDirection;
-  Row until = weights(at, members);
+  Row until = numerators(at, members);
   for (std::size_t d = 1; d < kRow; ++d) until[d] += until[d - 1];
   const auto uniform = static_cast<float>(stream.uniform()) * until.back();
   unsigned direction = 0;

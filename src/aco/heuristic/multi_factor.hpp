@@ -53,7 +53,7 @@ class MultiFactor {
   unsigned operator()(const GridStand& at, Stream& stream) const;
 
   /// J_i, bit d for direction d: free and not visited [C].
-  unsigned feasible(const GridStand& at) const;
+  unsigned feasible(const GridStand& at) const { return space_.open(at.cell) & ~at.tabu; }
   /// Eq. (12) for the members of J_i; the rest means nothing.
   Row eta(const GridStand& at, unsigned feasible) const;
   /// Numerators of eq. (6), 0 outside J_i.
@@ -64,11 +64,13 @@ class MultiFactor {
 
   void note_neighbours();
   void note_trails(GridSpace::Cell cell, const Trail<MoveCells>& trail);
+  // Inlined into the step, which is compiled for several processors.
   Row safety(unsigned came, unsigned feasible) const;
+  Row join_factors(const GridStand& at, unsigned feasible) const;
+  Row numerators(const GridStand& at, unsigned feasible) const;
 
   const GridSpace& space_;
   MultiFactorRule rule_;
-  std::array<std::int32_t, kRow> offsets_;
   Row step_factor_{};
   AlignedFloats to_goal_, descent_, mu_, tau_;  ///< Rows of eight by cell: d_jE, h(i)-h(j), mu^power, tau^alpha.
   bool prepared_ = false;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct GridWalkOptions {
 struct GridStand {
   GridSpace::Cell cell = 0;
   unsigned came = GridSpace::kNoDirection;  ///< Direction of the last move.
-  const std::uint8_t* visited = nullptr;    ///< By cell.
+  unsigned tabu = 0;                        ///< Bit d: the neighbour in direction d has been visited.
 };
 
 template <class Policies>
@@ -46,7 +47,8 @@ class GridWalk {
   GridWalk(const GridSpace& space, const Options& options)
       : space_(space),
         options_(options),
-        groups_(std::clamp<std::size_t>(options.ants / (2 * kSlots), 1, kMostGroups)) {
+        groups_(std::clamp<std::size_t>(options.ants / (2 * kSlots), 1, kMostGroups)),
+        offsets_(space.offsets()) {
     for (Group& group : groups_)
       for (Slot& slot : group) slot.resize(space.cells());
     for (GridSpace::Cell cell = 0; cell < space.cells(); ++cell)
@@ -96,14 +98,13 @@ class GridWalk {
     std::size_t moves = 0;
     Stream stream{0, 0, 0};
     Ant* ant = nullptr;
-    std::vector<std::uint32_t> path;  ///< Moves: 8 cell + direction.
-    std::vector<std::uint8_t> visited;
+    std::vector<std::uint32_t> path;    ///< Moves: 8 cell + direction.
+    std::vector<std::uint8_t> tabu;     ///< GridStand::tabu of every cell: one look a step instead of eight.
     std::vector<GridSpace::Cell> dead;  ///< Stepped back from.
 
     void resize(std::size_t cells) {
       path.resize(cells);
-      visited.resize(cells);
-      at.visited = visited.data();
+      tabu.resize(cells + sizeof(std::uint32_t));
     }
   };
   using Group = std::array<Slot, kSlots>;
@@ -155,7 +156,7 @@ class GridWalk {
     slot.at.cell = space_.start();
     slot.at.came = GridSpace::kNoDirection;
     slot.left = std::numeric_limits<float>::infinity();
-    slot.visited[slot.at.cell] = 1;
+    visit(slot);
     if (!shift.best.arrived()) return true;
     if (options_.give_up > 0) slot.left = static_cast<float>(shift.best.sum * (1 + options_.give_up));
     if (slot.stream.uniform() < options_.follow) follow(shift.best, slot);
@@ -169,14 +170,29 @@ class GridWalk {
 
   void move(Slot& slot, unsigned direction) const {
     slot.path[slot.moves++] = static_cast<std::uint32_t>(MoveCells::key(slot.at.cell, direction));
-    slot.at.cell = space_.neighbour(slot.at.cell, direction);
+    slot.at.cell += static_cast<GridSpace::Cell>(offsets_[direction]);
     slot.at.came = direction;
     slot.left -= cost_[direction];
-    slot.visited[slot.at.cell] = 1;
+    visit(slot);
+  }
+
+  /// Tells the neighbours of the ant's cell that it is tabu.
+  void visit(Slot& slot) const {
+    constexpr unsigned kBack = GridSpace::kDirections / 2;
+    std::uint8_t* here = slot.tabu.data() + slot.at.cell;
+    for (unsigned d = 0; d < GridSpace::kDirections; ++d)
+      here[offsets_[d]] = static_cast<std::uint8_t>(here[offsets_[d]] | 1U << ((d + kBack) % GridSpace::kDirections));
+  }
+  /// Wipes what all neighbours were told, row by row; walks end as a whole.
+  void wipe(Slot& slot, GridSpace::Cell cell) const {
+    constexpr std::uint32_t kNothing = 0;
+    std::uint8_t* west = slot.tabu.data() + cell - 1;
+    for (const std::int32_t row : {offsets_[2], 0, offsets_[6]}) std::memcpy(west + row, &kNothing, sizeof kNothing);
   }
 
   /// One move; false at the end of the walk.
   [[gnu::always_inline]] bool step(const Shift& shift, Slot& slot) const {
+    slot.at.tabu = slot.tabu[slot.at.cell];
     const unsigned direction = shift.policies.choice(slot.at, slot.stream);
     if (direction == GridSpace::kNoDirection) return step_back(slot);
     move(slot, direction);
@@ -204,10 +220,10 @@ class GridWalk {
     for (std::size_t i = 0; i < path.size(); ++i) {
       ant.actions[i] = path[i] % GridSpace::kDirections;
       diagonals += ant.actions[i] % 2;
-      slot.visited[path[i] / GridSpace::kDirections] = 0;
+      wipe(slot, path[i] / GridSpace::kDirections);
     }
-    slot.visited[slot.at.cell] = 0;
-    for (const GridSpace::Cell cell : slot.dead) slot.visited[cell] = 0;
+    wipe(slot, slot.at.cell);
+    for (const GridSpace::Cell cell : slot.dead) wipe(slot, cell);
     slot.dead.clear();
     ant.sum = space_.length(path.size(), diagonals);
     if (slot.at.cell == space_.goal())
@@ -229,6 +245,7 @@ class GridWalk {
   const GridSpace& space_;
   Options options_;
   std::vector<Group> groups_;
+  std::array<std::int32_t, GridSpace::kDirections> offsets_;
   std::vector<float> ahead_;  ///< Least length from a cell to the goal.
   std::array<float, GridSpace::kDirections> cost_ = step_costs();
 };
