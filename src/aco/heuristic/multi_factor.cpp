@@ -29,17 +29,22 @@ struct Extremes {
   float most = -kNever;
 };
 
-/// Of the values whose bit is set.
+/// Of the values whose bit is set, by halves: one running minimum would be waited for eight times.
 [[gnu::always_inline]] inline Extremes extremes(const Row& values, unsigned members) {
-  Extremes result;
+  Row low;
+  Row high;
   for (std::size_t d = 0; d < kRow; ++d) {
     const bool is_member = ((members >> d) & 1U) != 0;
-    const float low = is_member ? values[d] : kNever;
-    const float high = is_member ? values[d] : -kNever;
-    result.least = low < result.least ? low : result.least;
-    result.most = high > result.most ? high : result.most;
+    low[d] = is_member ? values[d] : kNever;
+    high[d] = is_member ? values[d] : -kNever;
   }
-  return result;
+  for (const std::size_t half : {4U, 2U, 1U}) {
+    for (std::size_t d = 0; d < half; ++d) {
+      low[d] = low[d + half] < low[d] ? low[d + half] : low[d];
+      high[d] = high[d + half] > high[d] ? high[d + half] : high[d];
+    }
+  }
+  return {.least = low[0], .most = high[0]};
 }
 
 [[gnu::always_inline]] inline Row row_of(const AlignedFloats& table, GridSpace::Cell cell) {
