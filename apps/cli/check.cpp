@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "alate/check/check.hpp"
+#include "alate/data/point_list.hpp"
 #include "alate/data/route_file.hpp"
 #include "alate/data/scenario_file.hpp"
 #include "alate/out/result.hpp"
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CheckLine {
-  Text file, scenario;
+  Text file, scenario, points;
   std::vector<std::string> overrides;
   bool json = false;
 };
@@ -59,7 +60,7 @@ struct Case {
   std::optional<RouteFile> route;
 };
 
-Case read_case(const CheckLine& line, FaultList& faults) {
+Case read_file(const CheckLine& line, FaultList& faults) {
   const std::string file = read_required("FILE", line.file, faults);
   if (file.empty()) return {};
   Case read;
@@ -72,15 +73,30 @@ Case read_case(const CheckLine& line, FaultList& faults) {
   return read;
 }
 
-int check_file(const CheckLine& line, FaultList faults) {
-  const auto [site, route] = read_case(line, faults);
+Case read_points(const CheckLine& line, FaultList& faults) {
+  if (line.file)
+    faults.add({.file = "--points", .limit = "FILE | --points", .message = "stands in place of a file, not beside it"});
+  const std::string scenario = read_required("--scenario", line.scenario, faults);
+  if (scenario.empty()) return {};
+  Case read;
+  read.site = faults.collect([&] { return load_site(load_scenario(scenario, line.overrides)); });
+  if (read.site) {
+    read.route =
+        faults.collect([&] { return RouteFile{.route = route_over_points(*read.site, *line.points, "--points")}; });
+  }
+  return read;
+}
+
+int check_route(const CheckLine& line, FaultList faults) {
+  const auto [site, route] = line.points ? read_points(line, faults) : read_file(line, faults);
   faults.throw_if_any();
   const Verdict verdict = check(*site, route->route);
   const Metrics metrics = measure(*site, route->route);
   if (line.json) {
     fmt::print("{}\n", to_json(*site, verdict, metrics));
   } else {
-    fmt::print("{}, judged by {}\n\n{}{}", *line.file, site->scenario.file, describe(*site, metrics),
+    const std::string name = line.points ? "The route over " + *line.points : *line.file;
+    fmt::print("{}, judged by {}\n\n{}{}", name, site->scenario.file, describe(*site, metrics),
                describe(*site, verdict));
     for (const std::string& note : route->notes) fmt::print("note: {}\n", note);
     fmt::print("{}", height_note(*site));
@@ -97,9 +113,10 @@ void add_check(CLI::App& app, Command& chosen) {
   add_text(command, "FILE", line->file, "result.json, route.csv, .plan, .waypoints, KML or GeoJSON line");
   add_text(command, "--scenario", line->scenario, "what to judge by (default: what result.json was planned for)");
   add_list(command, "--override", line->overrides, "key.path=VALUE of the scenario; may be repeated");
+  add_text(command, "--points", line->points, "ids of correction points, 503,294,..., in place of FILE");
   command.add_flag("--json", line->json, "verdict as JSON on standard output, and nothing else");
   command.callback(
-      [&chosen, line] { chosen = [line](FaultList faults) { return check_file(*line, std::move(faults)); }; });
+      [&chosen, line] { chosen = [line](FaultList faults) { return check_route(*line, std::move(faults)); }; });
 }
 
 }  // namespace alate::cli

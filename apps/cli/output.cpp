@@ -57,6 +57,8 @@ std::string describe(const Site& site, const Metrics& metrics) {
   std::string text = row("length", fmt::format("{:.0f} m, up {:.0f} m, down {:.0f} m", metrics.length_m,
                                                metrics.climb_m, metrics.descent_m));
   text += row("exposure", fmt::format("{:.2f}{} to threats", metrics.threat, cost_unit(site)));
+  if (metrics.corrections) text += row("corrections", fmt::format("{}", *metrics.corrections));
+  if (metrics.probability) text += row("success", fmt::format("{:.2f} %", 100 * *metrics.probability));
   if (metrics.min_clearance_m)
     text += row("clearance", fmt::format("{:.1f} m above ground at the lowest", *metrics.min_clearance_m));
   return text;

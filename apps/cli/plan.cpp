@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 /// The command line as written.
 struct PlanLine {
-  Text scenario, planner, preset, seed, threads, iterations, time_limit, out;
+  Text scenario, planner, preset, seed, threads, iterations, time_limit, prefer, out;
   std::vector<std::string> settings;
   std::vector<std::string> overrides;
+  bool front = false;
   bool json = false;
 };
 
@@ -33,6 +34,8 @@ struct PlanOptions {
   PlannerRequest request;
   RunOptions run;
   int threads = 1;
+  Preference prefer = Preference::length;
+  bool front = false;
 };
 
 ParamSetting read_setting(const std::string& text, FaultList& faults) {
@@ -41,6 +44,14 @@ ParamSetting read_setting(const std::string& text, FaultList& faults) {
     faults.add({.file = "--set", .value = text, .limit = "parameter=value", .message = "names no parameter and value"});
   const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
   return {.name = text.substr(0, equals), .text = value, .file = "--set"};
+}
+
+Preference read_preference(const Text& text, FaultList& faults) {
+  const std::vector<std::string> words{"length", "corrections", "probability"};
+  const auto found = std::ranges::find(words, text.value_or(words.front()));
+  if (found != words.end()) return static_cast<Preference>(found - words.begin());
+  faults.add(unknown_name({.file = "--prefer"}, "preference", *text, words));
+  return Preference::length;
 }
 
 PlanOptions read_options(const PlanLine& line, FaultList& faults) {
@@ -52,6 +63,8 @@ PlanOptions read_options(const PlanLine& line, FaultList& faults) {
   options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
   options.run.time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults);
   options.run.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);
+  options.prefer = read_preference(line.prefer, faults);
+  options.front = line.front;
   if (line.out) check_folder(*line.out, faults);
   return options;
 }
@@ -67,6 +80,21 @@ void check_request(const PlannerRequest& request, FaultList& faults) {
   std::vector<Fault> found;
   entry->parameters.resolve({}, request.settings, found);
   for (Fault& fault : found) faults.add(std::move(fault));
+}
+
+/// Fronts and preferences are about correction points.
+void check_navigation(const Site& site, const PlanLine& line, FaultList& faults) {
+  if (site.navigation) return;
+  const std::string message = "needs a scenario with navigation; " + site.scenario.file + " has none";
+  if (line.front) faults.add({.file = "--front", .message = message});
+  if (line.prefer) faults.add({.file = "--prefer", .message = message});
+}
+
+Problem problem_of(const World& world, const PlanOptions& options) {
+  Problem problem(world);
+  problem.prefer = options.prefer;
+  problem.front = options.front;
+  return problem;
 }
 
 /// A problem ready to be solved.
@@ -85,26 +113,29 @@ Task read_task(const PlanLine& line, const PlanOptions& options, FaultList& faul
     check_request(options.request, faults);
     return {};
   }
+  check_navigation(*site, line, faults);
   Task task;
   task.world = std::make_unique<const World>(std::move(*site));
   task.planner = faults
                      .collect([&] {
                        return std::make_unique<const ChosenPlanner>(
-                           choose_planner(builtin_planners(), Problem(*task.world), options.request));
+                           choose_planner(builtin_planners(), problem_of(*task.world, options), options.request));
                      })
                      .value_or(nullptr);
   return task;
 }
 
-Result solve(const Task& task, RunOptions run_options, int threads) {
-  Executor executor(threads);
+Result solve(const Task& task, const PlanOptions& options) {
+  Executor executor(options.threads);
   ProgressBar bar;
+  RunOptions run_options = options.run;
   run_options.on_progress = [&bar](const Progress& progress) { bar.draw(progress); };
   RunContext run(executor, std::move(run_options));
-  Plan plan = task.planner->planner.plan(Problem(*task.world), run);
+  Plan plan = task.planner->planner.plan(problem_of(*task.world, options), run);
   const double wall_s = run.elapsed_s();
   const Site& site = task.world->site();
-  Result result{.site = site, .planner = *task.planner, .plan = std::move(plan), .wall_s = wall_s, .threads = threads};
+  Result result{
+      .site = site, .planner = *task.planner, .plan = std::move(plan), .wall_s = wall_s, .threads = options.threads};
   result.metrics = measure(site, result.plan.route);
   result.verdict = check(site, result.plan.route);
   result.warnings = site.warnings;
@@ -146,7 +177,7 @@ int plan(const PlanLine& line, FaultList faults) {
   if (line.out) make_folder(*line.out);
 
   options.run.stop = interrupt.token();
-  Result result = solve(task, options.run, options.threads);
+  Result result = solve(task, options);
   const int written = line.out ? write(*line.out, result) : kDone;
   show(result, line);
   if (written != kDone) {
@@ -173,6 +204,8 @@ void add_plan(CLI::App& app, Command& chosen) {
   add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes no result");
   add_text(command, "--iterations", line->iterations, "iterations at most, >= 1");
   add_text(command, "--time-limit", line->time_limit, "seconds of planning at most, > 0; keeps the best so far");
+  command.add_flag("--front", line->front, "every best trade-off of length, corrections and chance of success, too");
+  add_text(command, "--prefer", line->prefer, "which of them is flown: length (default), corrections or probability");
   add_text(command, "--out", line->out, "folder for the report, mission files and result.json");
   command.add_flag("--json", line->json, "result as JSON on standard output, and nothing else");
   command.callback([&chosen, line] { chosen = [line](FaultList faults) { return plan(*line, std::move(faults)); }; });

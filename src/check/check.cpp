@@ -12,8 +12,9 @@ namespace alate {
 
 namespace {
 
-constexpr std::array<const char*, 10> kRules{"terrain_clearance", "ceiling", "threat_core", "turn",    "climb",
-                                             "descent",           "step",    "bounds",      "arrival", "endurance"};
+constexpr std::array<const char*, 13> kRules{
+    "terrain_clearance", "ceiling",        "threat_core",      "turn",        "climb",    "descent", "step", "bounds",
+    "arrival",           "vertical_error", "horizontal_error", "final_error", "endurance"};
 
 /// Nothing can be computed with such a state: `bounds` is broken there and the rest is left alone.
 Verdict unusable(const Route& route, std::size_t state) {
@@ -55,7 +56,8 @@ Verdict check(const Site& site, const Route& route) {
   const Flight flight(site, route);
   Verdict verdict;
   for (const auto judge : {judge_terrain_clearance, judge_ceiling, judge_threat_core, judge_turn, judge_climb,
-                           judge_descent, judge_step, judge_bounds, judge_arrival, judge_endurance}) {
+                           judge_descent, judge_step, judge_bounds, judge_arrival, judge_vertical_error,
+                           judge_horizontal_error, judge_final_error, judge_endurance}) {
     judge(flight).enter(verdict);
   }
   verdict.status = status_of(verdict);

@@ -51,15 +51,15 @@ double arc_exposure(const Threat& threat, const Route& route, std::size_t i, con
 }  // namespace
 
 double exposure(const Threat& threat, const Route& route, std::size_t i) {
+  if (threat.radius_m <= 0) return 0;
   const Segment leg = route.segment(i);
-  const bool cylinder = threat.shape == Threat::Shape::cylinder;
-  const auto part = cylinder ? part_between(leg, threat.floor_m, threat.top_m) : Part{};
-  if (!part || threat.radius_m <= 0) return 0;
-  const double length = length_of_leg(route, i);
-  if (route.states[i].arc) return threat.level * length * arc_exposure(threat, route, i, *part);
   const Vec3 a = offset(threat, leg.a);
   const Vec3 d = offset(threat, leg.b) - a;
-  return threat.level * length * straight_exposure(a, d, threat.radius_m, *part);
+  const bool cylinder = threat.shape == Threat::Shape::cylinder;
+  double mean = 0;
+  for (const Part& part : cylinder ? parts_of_leg_between(route, i, threat.floor_m, threat.top_m) : std::vector{Part{}})
+    mean += route.states[i].arc ? arc_exposure(threat, route, i, part) : straight_exposure(a, d, threat.radius_m, part);
+  return threat.level * length_of_leg(route, i) * mean;
 }
 
 double point_exposure(const Threat& threat, const Vec3& at) {

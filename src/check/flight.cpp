@@ -11,8 +11,14 @@ namespace {
 constexpr double kFarthest = 1e8;    // Metres; twice round the Earth.
 constexpr double kLargestArc = 1e6;  // Metres; keeps an arc's pieces below 10^5.
 constexpr double kMostTurns = 4 * kPi;
+constexpr double kUnit = 1e-9;  // Slack of a unit vector's length.
+
+bool usable(const ArcPlane& plane) {
+  return std::abs(plane.center_z_m) <= kFarthest && std::abs(plane.normal.norm() - 1) <= kUnit;
+}
 
 bool usable(const Arc& arc) {
+  if (arc.plane && !(usable(*arc.plane) && arc.angle_rad >= 0)) return false;
   return arc.center.allFinite() && arc.center.cwiseAbs().maxCoeff() <= kFarthest && arc.radius_m > 0 &&
          arc.radius_m <= kLargestArc && std::abs(arc.angle_rad) <= kMostTurns;
 }

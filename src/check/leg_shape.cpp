@@ -1,5 +1,6 @@
 #include "check/leg_shape.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -18,11 +19,15 @@ Vec2 turned(const Vec2& v, double angle) {
   return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
 }
 
-Vec3 tangent(const Arc& arc, const Vec3& at) {
+/// Direction of flight at one of the arc's ends; `rise` is how much higher it ends than it begins.
+Vec3 tangent(const Arc& arc, const Vec3& at, double rise) {
   const Vec2 out = at.head<2>() - arc.center;
+  if (arc.plane) return arc.plane->normal.cross(Vec3(out.x(), out.y(), at.z() - arc.plane->center_z_m));
   const double sign = arc.angle_rad < 0 ? -1 : 1;
-  return {sign * out.y(), -sign * out.x(), 0};
+  return {sign * out.y(), -sign * out.x(), arc.angle_rad == 0 ? 0 : rise / std::abs(arc.angle_rad)};
 }
+
+double rise_between(const Segment& chord) { return chord.b.z() - chord.a.z(); }
 
 }  // namespace
 
@@ -30,6 +35,7 @@ Vec3 point_on_leg(const Route& route, std::size_t i, double t) {
   const Segment chord = route.segment(i);
   const auto& arc = arc_of(route, i);
   if (!arc) return chord.at(t);
+  if (const auto tilted = tilted_arc(route, i)) return tilted->at(t * tilted->angle_rad);
   const Vec2 out = (chord.a.head<2>() - arc->center).stableNormalized() * arc->radius_m;
   const Vec2 xy = arc->center + turned(out, arc->angle_rad * t);
   return {xy.x(), xy.y(), chord.at(t).z()};
@@ -42,30 +48,44 @@ double planar_length_of_leg(const Route& route, std::size_t i) {
 
 double length_of_leg(const Route& route, std::size_t i) {
   const Segment chord = route.segment(i);
-  return arc_of(route, i) ? std::hypot(planar_length_of_leg(route, i), chord.b.z() - chord.a.z()) : chord.length();
+  const auto& arc = arc_of(route, i);
+  if (!arc) return chord.length();
+  return arc->plane ? arc->radius_m * arc->angle_rad : std::hypot(planar_length_of_leg(route, i), rise_between(chord));
 }
 
-double climb_angle_of_leg(const Route& route, std::size_t i) {
-  const Segment chord = route.segment(i);
-  return std::atan2(chord.b.z() - chord.a.z(), planar_length_of_leg(route, i));
+double steepest_angle_of_leg(const Route& route, std::size_t i, double sign) {
+  if (const auto tilted = tilted_arc(route, i)) return tilted->steepest(sign);
+  return std::atan2(sign * rise_between(route.segment(i)), planar_length_of_leg(route, i));
+}
+
+Rise rise_of_leg(const Route& route, std::size_t i) {
+  if (const auto tilted = tilted_arc(route, i)) return tilted->rise();
+  const double rise = rise_between(route.segment(i));
+  return {.up_m = std::max(0.0, rise), .down_m = std::max(0.0, -rise)};
+}
+
+std::vector<Part> parts_of_leg_between(const Route& route, std::size_t i, double floor, double top) {
+  if (const auto tilted = tilted_arc(route, i)) return tilted->parts_between(floor, top);
+  if (const auto part = part_between(route.segment(i), floor, top)) return {*part};
+  return {};
 }
 
 Vec3 first_direction(const Route& route, std::size_t i) {
   const Segment chord = route.segment(i);
   const auto& arc = arc_of(route, i);
-  return arc ? tangent(*arc, chord.a) : Vec3(chord.b - chord.a);
+  return arc ? tangent(*arc, chord.a, rise_between(chord)) : Vec3(chord.b - chord.a);
 }
 
 Vec3 last_direction(const Route& route, std::size_t i) {
   const Segment chord = route.segment(i);
   const auto& arc = arc_of(route, i);
-  return arc ? tangent(*arc, chord.b) : Vec3(chord.b - chord.a);
+  return arc ? tangent(*arc, chord.b, rise_between(chord)) : Vec3(chord.b - chord.a);
 }
 
 double arc_gap(const Route& route, std::size_t i) {
   if (!arc_of(route, i)) return 0;
   const Segment chord = route.segment(i);
-  const auto miss = [&](const Vec3& state, double t) { return (point_on_leg(route, i, t) - state).head<2>().norm(); };
+  const auto miss = [&](const Vec3& state, double t) -> double { return (point_on_leg(route, i, t) - state).norm(); };
   return std::max(miss(chord.a, 0), miss(chord.b, 1));
 }
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "alate/check/check.hpp"
+#include "check/corrections.hpp"
 #include "check/exposure.hpp"
 #include "check/flight.hpp"
 #include "check/leg_shape.hpp"
+#include "check/success_chance.hpp"
 
 namespace alate {
 
@@ -35,6 +37,13 @@ double physical_cost(const Site& site, const Metrics& metrics) {
   return objective.length * metrics.length_m + objective.threat * metrics.threat + objective.climb * metrics.climb_m;
 }
 
+void measure_corrections(const Navigation& navigation, const Route& route, Metrics& metrics) {
+  const std::vector<Visit> visits = visits_of(navigation, route);
+  const auto corrects = [](const Visit& visit) { return visit.point != nullptr; };
+  metrics.corrections = static_cast<std::size_t>(std::ranges::count_if(visits, corrects));
+  metrics.probability = success_chance(navigation, visits);
+}
+
 }  // namespace
 
 Metrics measure(const Site& site, const Route& route) {
@@ -43,16 +52,17 @@ Metrics measure(const Site& site, const Route& route) {
   const bool nodes_only = site.scenario.objective.model == CostModel::konatowski2019;
   for (std::size_t i = 1; i < route.states.size(); ++i) {
     const Vec3& at = route.states[i].position;
-    const double rise = at.z() - route.states[i - 1].position.z();
+    const Rise rise = rise_of_leg(route, i);
     metrics.length_m += length_of_leg(route, i);
-    metrics.climb_m += std::max(0.0, rise);
-    metrics.descent_m += std::max(0.0, -rise);
+    metrics.climb_m += rise.up_m;
+    metrics.descent_m += rise.down_m;
     for (const Threat& threat : site.threats) {
       metrics.threat += nodes_only ? point_exposure(threat, at) : exposure(threat, route, i);
     }
   }
   metrics.cost = nodes_only ? node_cost(site, route, metrics.threat) : physical_cost(site, metrics);
   metrics.min_clearance_m = min_clearance(site, route);
+  if (site.navigation) measure_corrections(*site.navigation, route, metrics);
   return metrics;
 }
 

@@ -15,9 +15,17 @@ void RuleReport::add(Finding finding) {
   }
 }
 
+namespace {
+
+bool is_broken(const Finding& finding) {
+  return finding.strict ? finding.margin <= 0 : finding.margin < -kRoundingNoise;
+}
+
+}  // namespace
+
 void RuleReport::enter(Verdict& verdict) const {
   for (const Finding& f : findings_) {
-    if (f.margin < -kRoundingNoise) verdict.violations.push_back({rule_, f.leg, f.where, f.value, f.limit, f.unit});
+    if (is_broken(f)) verdict.violations.push_back({rule_, f.leg, f.where, f.value, f.limit, f.unit});
   }
   const auto worst = std::ranges::min_element(findings_, {}, &Finding::margin);
   if (worst != findings_.end()) {

@@ -19,7 +19,8 @@ struct Finding {
   double value = 0;
   double limit = 0;
   std::string unit = "m";
-  double margin = 0;  ///< Set by RuleReport.
+  double margin = 0;    ///< Set by RuleReport.
+  bool strict = false;  ///< Set by RuleReport: no margin at all breaks the rule.
 };
 
 /// Collects the worst finding of every leg. Findings of one leg follow each other. A value that is
@@ -35,6 +36,11 @@ class RuleReport {
   void at_most(Finding finding) {
     finding.margin = finding.limit - finding.value;
     add(std::move(finding));
+  }
+  /// Less than the limit, without slack.
+  void below(Finding finding) {
+    finding.strict = true;
+    at_most(std::move(finding));
   }
   /// Says why the rule, or a part of the route, was not judged; the first reason stands.
   void not_checked(std::string why, bool unknown = false) {

@@ -20,6 +20,8 @@ RuleReport judge_threat_core(const Flight& flight);
 /// both, and a leg gives half of itself to each of its ends. Legs without planar length are passed over. The
 /// start's heading, if given, takes room of the first leg alone. An arc has its own radius and gives no room: a
 /// change of heading where it joins, or a gap there, counts as radius 0. Without any turn the radius is 1e9 m.
+/// Headings and lengths are those in the plane; in space where the turn radius is the navigation's (Zhou et al. 2020,
+/// problem 2), and on routes with an arc in a tilted plane.
 RuleReport judge_turn(const Flight& flight);
 
 /// Angle of each leg to the horizontal.
@@ -35,8 +37,18 @@ RuleReport judge_step(const Flight& flight);
 /// so the ends of the pieces suffice.
 RuleReport judge_bounds(const Flight& flight);
 
-/// The last state within the goal's tolerance, the first within 1 m of the start (reported only if it is not).
+/// The last state within the goal's tolerance, the first within 1 m of the start (reported only if it is not). Each
+/// state that bears the id of a correction point at that point (reported only if it is not); 1e9 m from a point that
+/// does not exist.
 RuleReport judge_arrival(const Flight& flight);
+
+/// Errors on arrival at each correction point that the route names, every correction working, at most what a point of
+/// that kind allows (Zhou et al. 2020, problem 1). A route that names none is corrected nowhere.
+RuleReport judge_vertical_error(const Flight& flight);
+RuleReport judge_horizontal_error(const Flight& flight);
+
+/// Both errors at the last state, below theta without slack.
+RuleReport judge_final_error(const Flight& flight);
 
 /// Length of the route, at most the range.
 RuleReport judge_endurance(const Flight& flight);

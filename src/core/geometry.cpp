@@ -1,5 +1,6 @@
 #include "alate/core/geometry.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +20,10 @@ double turn_between(const Vec3& before, const Vec3& after) {
   const double cross = before.x() * after.y() - before.y() * after.x();
   const double dot = before.head<2>().dot(after.head<2>());
   return std::abs(std::atan2(cross, dot));
+}
+
+double angle_between(const Vec3& before, const Vec3& after) {
+  return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
 double closest_parameter(const Segment& leg, const Vec3& point) {

@@ -35,6 +35,7 @@ CorrectionField draw_corrections(CorrectionLaw law, int points, std::uint64_t se
   CorrectionField field{.navigation = limits_of(law),
                         .start = {0, centimetres(width / 2), kHeight_m / 2},
                         .goal = {width, centimetres(0.6 * width), kHeight_m / 2}};
+  field.navigation.start_id = 0;
   field.navigation.goal_id = points + 1;
   field.navigation.points.reserve(static_cast<std::size_t>(points));
   for (int i = 0; i < points; ++i) {

@@ -15,6 +15,9 @@ inline constexpr double kMaxMagnitude = 1e9;                 ///< Of any number 
 inline constexpr std::size_t kMaxFaults = 100;               ///< Shown one by one; the rest are counted.
 inline constexpr std::size_t kMaxRouteBytes = 67'108'864;    ///< 64 MiB of a route or mission file.
 inline constexpr std::size_t kMaxRouteStates = 100'000;      ///< Positions of one route.
+inline constexpr std::size_t kMaxPointsBytes = 268'435'456;  ///< 256 MiB of correction points.
+inline constexpr std::size_t kMaxPoints = 4'000'000;         ///< Correction points, start and end among them.
+inline constexpr int kMaxPointId = 99'999'999;               ///< Ids of correction points start at 0.
 
 inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
 /// Raster heights outside these are no ground on Earth but voids that nobody marked as such.

@@ -5,36 +5,14 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 #include "data/limits.hpp"
 #include "data/route_formats.hpp"
+#include "data/text_file.hpp"
 
 namespace alate {
 
 namespace {
-
-std::string read_text(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(Fault{.file = file, .message = "no such file"});
-  if (!std::filesystem::is_regular_file(status)) throw InputError(Fault{.file = file, .message = "is not a file"});
-  std::ifstream stream(file, std::ios::binary);
-  const auto size = std::filesystem::file_size(file, error);
-  if (!stream || error) throw InputError(Fault{.file = file, .message = "cannot be read"});
-  if (size > kMaxRouteBytes) {
-    throw InputError(Fault{.file = file,
-                           .value = fmt::format("{}", size),
-                           .limit = fmt::format("<= {}", kMaxRouteBytes),
-                           .unit = "bytes",
-                           .message = "too large"});
-  }
-  std::string text(size, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(size));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  return text;
-}
 
 std::string extension_of(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
@@ -78,7 +56,7 @@ struct Opened {
 };
 
 Opened open(const std::string& file) {
-  Opened opened{.text = read_text(file), .format = {}, .json = {}};
+  Opened opened{.text = read_text_file(file, kMaxRouteBytes), .format = {}, .json = {}};
   if (opened.text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError(Fault{.file = file, .message = "the file is empty"});
   }

@@ -22,6 +22,7 @@ class Group {
     if (member(value_, key).is_null()) refuse(key, "is missing");
     return optional(key).value_or(0);
   }
+  Group group(const char* key) const { return {member(value_, key), path(key), builder_}; }
   std::string path(const std::string& key) const { return key.empty() ? field_ : field_ + "." + key; }
   void refuse(const char* key, const char* message) const {
     builder_.refuse({.field = path(key), .value = shown(member(value_, key)), .message = message});
@@ -40,11 +41,18 @@ std::optional<AttitudeAction> action_of(const Group& group) {
                         .yaw_rad = radians(group.required("yaw_deg"))};
 }
 
+std::optional<ArcPlane> plane_of(const Group& group) {
+  if (!group.given()) return std::nullopt;
+  return ArcPlane{.center_z_m = group.required("center_z_m"),
+                  .normal = {group.required("normal_x"), group.required("normal_y"), group.required("normal_z")}};
+}
+
 std::optional<Arc> arc_of(const Group& group) {
   if (!group.given()) return std::nullopt;
   return Arc{.center = {group.required("center_x_m"), group.required("center_y_m")},
              .radius_m = group.required("radius_m"),
-             .angle_rad = radians(group.required("angle_deg"))};
+             .angle_rad = radians(group.required("angle_deg")),
+             .plane = plane_of(group.group("plane"))};
 }
 
 LegKind kind_of(const Json& state, const Group& group) {
@@ -59,8 +67,8 @@ LegKind kind_of(const Json& state, const Group& group) {
 void add_state(const Json& json, const std::string& field, RouteBuilder& builder) {
   const Group group(json, field, builder);
   RouteState state{.position = Vec3::Zero(), .leg = kind_of(json, group)};
-  state.arc = arc_of({member(json, "arc"), group.path("arc"), builder});
-  state.action = action_of({member(json, "actions"), group.path("actions"), builder});
+  state.arc = arc_of(group.group("arc"));
+  state.action = action_of(group.group("actions"));
   state.point_id = integer_in(member(json, "point_id"), group.path("point_id"), builder);
   if (state.leg == LegKind::arc && !state.arc) group.refuse("arc", "an arc needs centre, radius and angle");
   if (state.leg != LegKind::arc && state.arc) group.refuse("leg", "must be arc where an arc is given");

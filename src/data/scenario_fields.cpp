@@ -10,6 +10,7 @@ namespace {
 
 const Range kLatitude = from_to(-90, 90);
 const Range kLongitude = from_to(-180, 180);
+const Range kPointId = from_to(0, kMaxPointId);
 
 // Declared first: the groups below name each other.
 Description describe(GeoPoint& point);
@@ -22,6 +23,8 @@ Description describe(StartSpec& start);
 Description describe(GoalSpec& goal);
 Description describe(VehicleSpec& vehicle);
 Description describe(ObjectiveSpec& objective);
+Description describe(CorrectionPointSpec& point);
+Description describe(NavigationSpec& navigation);
 Description describe(PlannerSpec& planner);
 
 template <class Struct>
@@ -47,7 +50,8 @@ Description describe(FrameSpec& frame) {
                          !frame.origin && !frame.local,
                          field("crs", "",
                                "\"auto\" takes the UTM zone of the midpoint of start and goal, which must have lat and "
-                               "lon; else any projected CRS in metres, such as \"EPSG:21781\".",
+                               "lon, or a local frame if `navigation` is given and all is in metres; else any "
+                               "projected CRS in metres, such as \"EPSG:21781\".",
                                text(frame.crs))),
                      field("origin", "", "A transverse Mercator of scale 1 around this point, which becomes (0, 0).",
                            group(frame.origin)),
@@ -174,12 +178,64 @@ Description describe(ObjectiveSpec& objective) {
                                                 number(objective.length, at_least(0)))),
                      field("threat", "", "Weight of the exposure to threats; 0.5 if not given under konatowski2019.",
                            number(objective.threat, at_least(0))),
-                     written_if(physical, field("climb", "", "Weight of the metres climbed; physical only.",
+                     written_if(physical, field("climb", "",
+                                                "Weight of the metres climbed; physical only. Not given beside "
+                                                "`navigation`: 0, so that the cost is the length.",
                                                 number(objective.climb, at_least(0)))),
                      written_if(!physical,
                                 field("fuel", "",
                                       "Weight of the distance to the goal; konatowski2019 only. fuel + threat is 1.",
                                       number(objective.fuel, from_to(0, 1))))}};
+}
+
+Description describe(CorrectionPointSpec& point) {
+  return {.fields = {field("id", "", "Not given: its place in the list, from 0. Must be unique.",
+                           whole(point.id, kPointId)),
+                     field("position_m", "m", "x, y in the frame, z above mean sea level.", numbers(point.position_m)),
+                     field("lat", "deg", "Latitude, WGS 84.", number(point.lat_deg, kLatitude)),
+                     field("lon", "deg", "Longitude, WGS 84.", number(point.lon_deg, kLongitude)),
+                     field("amsl_m", "m", "Height above mean sea level.", number(point.amsl_m)),
+                     required(field("kind", "", "What the point resets; start and end are the ends of the flight.",
+                                    choice(point.kind, {"start", "end", "vertical", "horizontal"}))),
+                     field("may_fail", "", "true: the correction works with the chance `success` only.",
+                           flag(point.may_fail))},
+          .one_of = {{"position_m"}, {"lat", "lon", "amsl_m"}}};
+}
+
+/// `drift_per_m` is a group of its own in the file only.
+Description describe_drift(NavigationSpec& navigation) {
+  return {.fields = {field("vertical", "units/m", "Growth of the vertical error.",
+                           number(navigation.drift_vertical_per_m, at_least(0))),
+                     field("horizontal", "units/m", "Growth of the horizontal error.",
+                           number(navigation.drift_horizontal_per_m, at_least(0)))}};
+}
+
+Description describe(NavigationSpec& navigation) {
+  return {
+      .fields = {
+          field("points", "",
+                "CSV file with the columns id, x_m, y_m, z_m (or lat, lon, amsl_m), kind, may_fail and, if wanted, "
+                "success; relative to this file. Or a list of points.",
+                FileOrGroups{text(navigation.points_file, Text::Use::path), groups(navigation.points, 1)}),
+          field("drift_per_m", "", "How fast the errors grow with the length flown.",
+                Group{.open = [&navigation] { return describe_drift(navigation); }}),
+          required(field("alpha", "units", "Most vertical and most horizontal error on arrival at a vertical point.",
+                         numbers(navigation.alpha, at_least(0)))),
+          required(field("beta", "units", "Most vertical and most horizontal error on arrival at a horizontal point.",
+                         numbers(navigation.beta, at_least(0)))),
+          required(
+              field("theta", "units", "At the goal both errors must be below it.", number(navigation.theta, above(0)))),
+          field("success", "", "Chance that a correction works at a point that may fail.",
+                number(navigation.success, from_to(0, 1))),
+          field("residual", "units", "A correction that fails leaves this error, or what there was if that is less.",
+                number(navigation.residual, at_least(0))),
+          field("turn_radius_m", "m", "Radius of the turns between points; needed by turn_model.",
+                number(navigation.turn_radius_m, above(0))),
+          field(
+              "turn_model", "",
+              "none: straight legs. arc_tangent: at each point turn until the next one lies ahead, then fly straight. "
+              "free_heading: the headings at the points are chosen, too.",
+              choice(navigation.turn_model, {"none", "arc_tangent", "free_heading"}))}};
 }
 
 Description describe(PlannerSpec& planner) {
@@ -196,14 +252,28 @@ Description describe(Scenario& scenario) {
       .fields = {
           field("frame", "", "The one metric frame the route is planned in.", group(scenario.frame)),
           field("terrain", "", "The ground and the band above it.", group(scenario.terrain)),
-          required(field("start", "", "Where the flight begins.", group(scenario.start))),
-          required(field("goal", "", "Where it ends.", group(scenario.goal))),
+          written_if(scenario.start.place.given(),
+                     required_unless("navigation",
+                                     field("start", "",
+                                           "Where the flight begins. If the points of `navigation` have a start, it "
+                                           "may be left out, or must lie within 1 m of that.",
+                                           group(scenario.start)))),
+          written_if(scenario.goal.place.given(),
+                     required_unless("navigation",
+                                     field("goal", "",
+                                           "Where it ends. If the points of `navigation` have an end, it may be left "
+                                           "out, or must lie within 1 m of that.",
+                                           group(scenario.goal)))),
           field("vehicle", "",
                 "Limits of the aircraft; what is not given is not checked. A planner on the attitude lattice "
                 "needs step_m and all three lists of angles.",
                 group(scenario.vehicle)),
           field("threats", "", "Spheres and cylinders to be avoided.", groups(scenario.threats)),
           field("objective", "", "What a good route is.", group(scenario.objective)),
+          field("navigation", "",
+                "Navigation errors, in units, that grow on the way and are reset at correction points (Zhou et al. "
+                "2020).",
+                group(scenario.navigation)),
           field("planner", "", "The planner, unless the command line names one. Not given: chosen for the scenario.",
                 group(scenario.planner))}};
 }

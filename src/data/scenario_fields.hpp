@@ -43,6 +43,7 @@ struct Number {
   std::optional<double> value;
   std::function<void(double)> set;
   Range range;
+  bool whole = false;
 };
 struct Numbers {
   std::vector<double> value;
@@ -64,11 +65,16 @@ struct Groups {
   std::size_t least = 0;                       ///< Up to kMaxListItems.
   std::function<Description(std::size_t)> at;  ///< Makes items up to this index.
 };
+/// The name of a file, or what would stand in it as a list.
+struct FileOrGroups {
+  Text file;
+  Groups items;
+};
 struct Words {
   std::map<std::string, std::string>* values = nullptr;
 };
 
-using Slot = std::variant<Text, Flag, Number, Numbers, Choice, Group, Groups, Words>;
+using Slot = std::variant<Text, Flag, Number, Numbers, Choice, Group, Groups, FileOrGroups, Words>;
 
 struct Field {
   std::string key;
@@ -76,6 +82,7 @@ struct Field {
   std::string help;  ///< One plain sentence or more.
   Slot slot;
   bool required = false;
+  std::string unless;   ///< Key beside it with which it is not required.
   bool written = true;  ///< False where the value means nothing beside what else is given.
 };
 

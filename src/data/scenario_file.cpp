@@ -21,6 +21,12 @@ void name_threats(std::vector<ThreatSpec>& threats) {
   }
 }
 
+/// Beside navigation errors the cost is the length, unless the scenario says otherwise.
+void default_climb(Scenario& scenario) {
+  const bool physical = scenario.objective.model == CostModel::physical;
+  if (scenario.navigation && physical && !scenario.marks.contains("objective.climb")) scenario.objective.climb = 0;
+}
+
 /// In the order of the text, and no more than a person reads.
 [[noreturn]] void throw_all(std::vector<Fault> faults) {
   std::ranges::stable_sort(faults, {}, [](const Fault& fault) { return std::tie(fault.line, fault.column); });
@@ -58,6 +64,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file, const 
   scenario.overrides = overrides;
   read_scenario(root, scenario, faults);
   name_threats(scenario.threats);
+  default_climb(scenario);
   check_rules(scenario, faults);
   if (!faults.empty()) throw_all(std::move(faults));
   return scenario;

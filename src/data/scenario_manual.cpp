@@ -40,14 +40,17 @@ class Manual {
  private:
   static std::string row(const Field& field) {
     const auto cells = std::visit([](const auto& slot) { return cells_of(slot); }, field.slot);
+    const std::string needed = field.unless.empty() ? "required" : fmt::format("required without `{}`", field.unless);
     return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", field.key, cells[0], field.unit,
-                       field.required ? "required" : cells[1], cells[2], field.help);
+                       field.required ? needed : cells[1], cells[2], field.help);
   }
 
   std::string inner_section(const std::string& path, const Field& field) {
     const std::string title = fmt::format("\n## `{}`\n\n{}\n", path, field.help);
     if (const auto* group = std::get_if<Group>(&field.slot)) return title + section(path + ".", group->open());
     if (const auto* groups = std::get_if<Groups>(&field.slot)) return title + section(path + "[].", groups->at(0));
+    if (const auto* list = std::get_if<FileOrGroups>(&field.slot))
+      return title + section(path + "[].", list->items.at(0));
     return "";
   }
 
@@ -59,7 +62,8 @@ class Manual {
   }
   static Cells cells_of(const Flag& slot) { return {"flag", slot.value ? "true" : "false", "true, false"}; }
   static Cells cells_of(const Number& slot) {
-    return {"number", slot.value ? fmt::format("{}", *slot.value) : "", slot.range.text()};
+    return {slot.whole ? "whole number" : "number", slot.value ? fmt::format("{}", *slot.value) : "",
+            slot.range.text()};
   }
   static Cells cells_of(const Numbers& slot) {
     const std::string count = slot.count > 0 ? fmt::format("{}", slot.count) : fmt::format("1 to {}", kMaxAngles);
@@ -71,6 +75,9 @@ class Manual {
   static Cells cells_of(const Group& /*slot*/) { return {"group", "", ""}; }
   static Cells cells_of(const Groups& /*slot*/) {
     return {"list of groups", "", fmt::format("0 to {}", kMaxListItems)};
+  }
+  static Cells cells_of(const FileOrGroups& slot) {
+    return {"path or list of groups", "", fmt::format("{} to {} in a list", slot.items.least, kMaxListItems)};
   }
   static Cells cells_of(const Words& /*slot*/) { return {"group of any keys", "", ""}; }
 

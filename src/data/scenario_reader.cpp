@@ -24,6 +24,7 @@ class Reader {
   }
   void read(const Value& value, const Group& slot);
   void read(const Value& value, const Groups& slot);
+  void read(const Value& value, const FileOrGroups& slot);
   void check_keys(const Node& node, const std::string& path, const Description& description);
   void check_one_of(const Node& node, const std::string& path, const Description& description);
 
@@ -44,7 +45,9 @@ void Reader::read_group(const Node& node, const std::string& path, const Descrip
     const Node* child = node.find(field.key);
     const std::string child_path = join(path, field.key);
     if (child == nullptr) {
-      if (field.required) findings_.report(place_of_group(node), {.field = child_path, .message = "is missing"});
+      const bool needless = !field.unless.empty() && node.find(field.unless) != nullptr;
+      if (field.required && !needless)
+        findings_.report(place_of_group(node), {.field = child_path, .message = "is missing"});
       continue;
     }
     findings_.mark(child_path, holds_fields(field.slot) ? child->key_place : child->place);
@@ -103,6 +106,14 @@ void Reader::read(const Value& value, const Groups& slot) {
     const std::string path = join(value.path, std::to_string(i));
     findings_.mark(path, child.place);
     if (child.kind != Node::Kind::broken) read({child, path, value.field}, Group{.open = [&] { return slot.at(i); }});
+  }
+}
+
+void Reader::read(const Value& value, const FileOrGroups& slot) {
+  if (value.node.kind == Node::Kind::list) {
+    read(value, slot.items);
+  } else if (is_kind(value, Node::Kind::scalar, "must be the name of a file or a list of groups", findings_)) {
+    read(value, slot.file);
   }
 }
 

@@ -27,6 +27,7 @@ class Rules {
   void check_vehicle();
   void check_threats();
   void check_objective();
+  void check_navigation();
 
  private:
   bool given(const std::string& path) const { return scenario_.marks.contains(path); }
@@ -84,7 +85,8 @@ void Rules::check_above_ground(const std::string& path) {
 }
 
 void Rules::check_places() {
-  const bool automatic = !scenario_.frame.origin && !scenario_.frame.local && scenario_.frame.crs == "auto";
+  const bool automatic =
+      !scenario_.frame.origin && !scenario_.frame.local && scenario_.frame.crs == "auto" && !scenario_.navigation;
   for (const std::string path : {"start", "goal"}) {
     check_ground_frame(path, given(path + ".lat") && given(path + ".lon"));
     check_above_ground(path);
@@ -153,6 +155,22 @@ void Rules::check_objective() {
          {.value = fmt::format("{}", sum), .limit = "1", .message = "fuel + threat must be 1 (0.5 if not given)"});
 }
 
+void Rules::check_navigation() {
+  if (!scenario_.navigation) return;
+  const NavigationSpec& navigation = *scenario_.navigation;
+  if (!given("navigation.points")) {
+    report("navigation.points", {.limit = "a CSV file or a list of points",
+                                 .message = "is missing: name it here, or by --override navigation.points=FILE"});
+  }
+  if (navigation.turn_model != TurnModel::none && !given("navigation.turn_radius_m")) {
+    report("navigation.turn_radius_m", {.limit = "> 0", .unit = "m", .message = "is needed by turn_model"});
+  }
+  for (std::size_t i = 0; i < navigation.points.size(); ++i) {
+    const CorrectionPointSpec& point = navigation.points[i];
+    check_ground_frame(fmt::format("navigation.points.{}", i), point.lat_deg && point.lon_deg);
+  }
+}
+
 }  // namespace
 
 void check_rules(const Scenario& scenario, std::vector<Fault>& faults) {
@@ -162,6 +180,7 @@ void check_rules(const Scenario& scenario, std::vector<Fault>& faults) {
   rules.check_vehicle();
   rules.check_threats();
   rules.check_objective();
+  rules.check_navigation();
 }
 
 }  // namespace alate

@@ -30,6 +30,7 @@ Json schema_of(const Text& slot) {
 Json schema_of(const Flag& slot) { return {{"type", "boolean"}, {"default", slot.value}}; }
 Json schema_of(const Number& slot) {
   Json json = number_schema(slot.range);
+  if (slot.whole) json["type"] = "integer";
   if (slot.value) json["default"] = *slot.value;
   return json;
 }
@@ -43,6 +44,9 @@ Json schema_of(const Choice& slot) { return {{"enum", slot.words}, {"default", s
 Json schema_of(const Group& slot) { return schema_of(slot.open()); }
 Json schema_of(const Groups& slot) {
   return {{"type", "array"}, {"items", schema_of(slot.at(0))}, {"minItems", slot.least}, {"maxItems", kMaxListItems}};
+}
+Json schema_of(const FileOrGroups& slot) {
+  return {{"anyOf", Json::array({schema_of(slot.file), schema_of(slot.items)})}};
 }
 Json schema_of(const Words& /*slot*/) {
   return {{"type", "object"}, {"additionalProperties", {{"type", {"string", "number", "boolean"}}}}};
@@ -61,6 +65,16 @@ Json schema_of(const std::vector<std::vector<std::string>>& one_of) {
   return json;
 }
 
+/// One "this key or that" for each field that another makes needless.
+Json required_or_replaced(const Description& description) {
+  Json choices = Json::array();
+  for (const Field& field : description.fields) {
+    if (!field.required || field.unless.empty()) continue;
+    choices.push_back({{"anyOf", {{{"required", {field.key}}}, {{"required", {field.unless}}}}}});
+  }
+  return choices;
+}
+
 Json schema_of(const Description& description) {
   Json json{{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
   for (const Field& field : description.fields) {
@@ -68,10 +82,11 @@ Json schema_of(const Description& description) {
     property["description"] = field.unit.empty() ? field.help : fmt::format("{} ({})", field.help, field.unit);
     if (field.required) {
       property.erase("default");
-      json["required"].push_back(field.key);
+      if (field.unless.empty()) json["required"].push_back(field.key);
     }
     json["properties"][field.key] = std::move(property);
   }
+  if (const Json choices = required_or_replaced(description); !choices.empty()) json["allOf"] = choices;
   if (!description.one_of.empty()) json["oneOf"] = schema_of(description.one_of);
   return json;
 }

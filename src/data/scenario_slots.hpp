@@ -18,6 +18,13 @@ Number number(Value& value, Range range = {}) {
   return {.value = value, .set = [&value](double given) { value = given; }, .range = range};
 }
 
+inline Number whole(std::optional<int>& value, Range range) {
+  return {.value = value,
+          .set = [&value](double given) { value = static_cast<int>(given); },
+          .range = range,
+          .whole = true};
+}
+
 template <std::size_t N>
 Numbers numbers(std::array<double, N>& value, Range range = {}) {
   return {.value = {value.begin(), value.end()},
@@ -65,6 +72,11 @@ inline Field field(std::string key, std::string unit, std::string help, Slot slo
 inline Field required(Field field) {
   field.required = true;
   return field;
+}
+
+inline Field required_unless(std::string key, Field field) {
+  field.unless = std::move(key);
+  return required(std::move(field));
 }
 
 inline Field written_if(bool condition, Field field) {

@@ -100,7 +100,10 @@ void read_value(const Value& value, const Flag& slot, Findings& findings) {
 }
 
 void read_value(const Value& value, const Number& slot, Findings& findings) {
-  if (const auto number = finite_number(value, slot.range, findings)) slot.set(*number);
+  const auto number = finite_number(value, slot.range, findings);
+  if (!number) return;
+  if (slot.whole && *number != std::floor(*number)) return findings.report(value, "must be a whole number");
+  slot.set(*number);
 }
 
 void read_value(const Value& value, const Numbers& slot, Findings& findings) {

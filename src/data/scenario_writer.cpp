@@ -66,6 +66,9 @@ class Writer {
     }
     return items;
   }
+  std::string value_of(const FileOrGroups& slot) const {
+    return slot.file.value ? value_of(slot.file) : value_of(slot.items);
+  }
   static std::string value_of(const Words& slot) {
     std::string inner;
     for (const auto& [key, value] : *slot.values) inner += fmt::format("\n  {}: {}", quoted(key), quoted(value));

@@ -7,6 +7,7 @@
 #include "data/raster_extent.hpp"
 #include "data/site_faults.hpp"
 #include "data/site_frame.hpp"
+#include "data/site_navigation.hpp"
 #include "data/site_places.hpp"
 
 namespace alate {
@@ -87,10 +88,10 @@ bool read_ground(Site& site, SiteFaults& faults) {
   return true;
 }
 
-void place_mission(Site& site, SiteFaults& faults) {
+void place_mission(Site& site, const GivenPoints& points, SiteFaults& faults) {
   const Scenario& scenario = site.scenario;
-  const auto start = locate(site, scenario.start.place, "start", faults);
-  const auto goal = locate(site, scenario.goal.place, "goal", faults);
+  const auto start = locate_end(site, {scenario.start.place, points.start(), "start"}, faults);
+  const auto goal = locate_end(site, {scenario.goal.place, points.end(), "goal"}, faults);
   if (start) {
     judge_scale(site.frame, start->head<2>(), faults);
     judge_place(site, *start, "start", faults);
@@ -124,12 +125,15 @@ Site load_site(const Scenario& scenario) {
   site.scenario = scenario;
   site.vehicle = vehicle_of(scenario.vehicle);
   SiteFaults faults(scenario);
-  const auto frame = choose_frame(scenario, faults);
+  const GivenPoints points = read_points(scenario, faults);
+  throw_if_any(faults.take());
+  const auto frame = choose_frame(scenario, points, faults);
   if (frame) {
     site.frame = *frame;
     if (read_ground(site, faults)) {
       site.threats = locate_threats(site, faults);
-      place_mission(site, faults);
+      if (scenario.navigation) site.navigation = navigation_of(site, points, faults);
+      place_mission(site, points, faults);
     }
   }
   throw_if_any(faults.take());

@@ -15,6 +15,8 @@ class SiteFaults {
 
   /// Adds `fault` after filling in file, line and column of its field.
   void add(Fault fault);
+  /// Adds a fault of another file, which names its own place.
+  void add_found(Fault fault) { faults_.push_back(std::move(fault)); }
   bool any() const { return !faults_.empty(); }
   std::vector<Fault> take() { return std::move(faults_); }
 

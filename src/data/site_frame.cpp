@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <GeographicLib/Geodesic.hpp>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,9 +13,20 @@ namespace {
 
 constexpr double kMostScaleError = 0.01;
 
-std::optional<GeoPoint> geo_of(const PlaceSpec& place) {
+/// Where an end of the flight is given on Earth.
+std::optional<GeoPoint> geo_of(const PlaceSpec& place, const std::optional<GivenPoint>& given) {
+  if (given && given->geographic) return GeoPoint{given->point.position.x(), given->point.position.y()};
   if (!place.lat_deg || !place.lon_deg) return std::nullopt;
   return GeoPoint{*place.lat_deg, *place.lon_deg};
+}
+
+/// Without a frame, metres and places on Earth cannot stand side by side.
+bool is_mixed(const Scenario& scenario, const GivenPoints& points, bool on_earth) {
+  const auto metric = [](const PlaceSpec& place) { return place.position_m.has_value(); };
+  const auto differs = [&](const auto& given) { return given.geographic != on_earth; };
+  const auto end_differs = [&](const auto& end) { return end && differs(*end); };
+  return (on_earth && (metric(scenario.start.place) || metric(scenario.goal.place))) ||
+         std::ranges::any_of(points.points(), differs) || end_differs(points.start()) || end_differs(points.end());
 }
 
 /// Half way along the geodesic, so that the date line is no border.
@@ -29,22 +41,24 @@ GeoPoint midpoint(const GeoPoint& a, const GeoPoint& b) {
   return middle;
 }
 
-Frame automatic(const Scenario& scenario) {
-  const auto start = geo_of(scenario.start.place);
-  const auto goal = geo_of(scenario.goal.place);
+Frame automatic(const Scenario& scenario, const GivenPoints& points) {
+  const auto start = geo_of(scenario.start.place, points.start());
+  const auto goal = geo_of(scenario.goal.place, points.end());
+  if (is_mixed(scenario, points, start || goal))
+    throw std::invalid_argument("some places are in metres and some in lat and lon; name the frame of the metres");
   if (!start && !goal) return Frame::local();
   return Frame::utm(start && goal ? midpoint(*start, *goal) : start ? *start : *goal);
 }
 
 }  // namespace
 
-std::optional<Frame> choose_frame(const Scenario& scenario, SiteFaults& faults) {
+std::optional<Frame> choose_frame(const Scenario& scenario, const GivenPoints& points, SiteFaults& faults) {
   const FrameSpec& spec = scenario.frame;
   if (spec.local) return Frame::local();
   const std::string field = spec.origin ? "frame.origin" : "frame.crs";
   try {
     if (spec.origin) return Frame::at_origin(*spec.origin);
-    return spec.crs == "auto" ? automatic(scenario) : Frame::from_crs(spec.crs);
+    return spec.crs == "auto" ? automatic(scenario, points) : Frame::from_crs(spec.crs);
   } catch (const std::exception& error) {
     faults.add({.field = field, .value = spec.origin ? "" : spec.crs, .message = error.what()});
     return std::nullopt;

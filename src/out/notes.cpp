@@ -49,6 +49,22 @@ std::string judgement(const Verdict& verdict) {
   return fmt::format(", but the data do not reach far enough to judge {}", fmt::join(unknown_rules(verdict), ", "));
 }
 
+/// " with 8 corrections"; empty without navigation errors.
+std::string corrections_in_words(const Metrics& metrics) {
+  if (!metrics.corrections) return {};
+  return fmt::format(" with {} {}", *metrics.corrections, *metrics.corrections == 1 ? "correction" : "corrections");
+}
+
+/// Told only where points may fail.
+std::string success_in_words(const Result& result) {
+  const auto& navigation = result.site.navigation;
+  const auto fails = [](const CorrectionPoint& point) { return point.success < 1; };
+  if (!navigation || !result.metrics.probability || std::ranges::none_of(navigation->points, fails)) return {};
+  if (*result.metrics.probability >= 1) return " It succeeds even if every correction that may fail does.";
+  return fmt::format(" As corrections may fail, it succeeds with a chance of {}.",
+                     chance_in_words(*result.metrics.probability));
+}
+
 }  // namespace
 
 GroundNote ground_note(const Site& site) {
@@ -107,11 +123,38 @@ std::string length_in_words(double metres) {
   return metres < 1000 ? fmt::format("{:.0f} m", metres) : fmt::format("{:.1f} km", metres / 1000);
 }
 
+std::string chance_in_words(double chance) {
+  // Rounded away from the ends: 99.99 % is not certain.
+  if (chance <= 0) return "0 %";
+  if (chance >= 1) return "100 %";
+  return fmt::format("{:.1f} %", std::clamp(100 * chance, 0.1, 99.9));
+}
+
+std::string front_in_words(const std::vector<FrontPoint>& front) {
+  constexpr std::size_t kShown = 4;
+  if (front.size() < 2) return {};
+  const bool unsure = std::ranges::any_of(front, [](const FrontPoint& point) { return point.probability < 1; });
+  std::vector<std::string> items;
+  for (const FrontPoint& point : front) {
+    if (items.size() == kShown) break;
+    std::string item =
+        fmt::format("{} {} over {}", point.corrections, point.corrections == 1 ? "correction" : "corrections",
+                    length_in_words(point.length_m));
+    if (unsure) item += fmt::format(" ({})", chance_in_words(point.probability));
+    items.push_back(std::move(item));
+  }
+  std::string text = fmt::format("{} best trade-offs are known: {}", front.size(), fmt::join(items, "; "));
+  if (front.size() > items.size()) text += fmt::format("; and {} more", front.size() - items.size());
+  return text + ".";
+}
+
 std::string summary(const Result& result) {
   if (result.plan.route.empty()) return no_route(result.plan);
-  std::string text =
-      fmt::format("A route of {} was found{}.", length_in_words(result.metrics.length_m), judgement(result.verdict));
+  std::string text = fmt::format("A route of {}{} was found{}.", length_in_words(result.metrics.length_m),
+                                 corrections_in_words(result.metrics), judgement(result.verdict));
   if (result.verdict.ok() && gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
+  if (result.verdict.ok()) text += success_in_words(result);
+  if (const std::string front = front_in_words(result.plan.front); !front.empty()) text += " " + front;
   return text;
 }
 

@@ -30,6 +30,12 @@ std::vector<std::string> all_warnings(const Result& result);
 /// "at most 10.5 % above the best possible", or why that cannot be said.
 std::string gap_in_words(const Result& result);
 
+/// "96.0 %"; "100 %" and "0 %" only where nothing, or everything, can go wrong.
+std::string chance_in_words(double chance);
+
+/// The first few routes of a front in a sentence; empty for fewer than two.
+std::string front_in_words(const std::vector<FrontPoint>& front);
+
 /// "812 m", "26.7 km".
 std::string length_in_words(double metres);
 

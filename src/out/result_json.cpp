@@ -71,8 +71,27 @@ Json metrics_json(const Metrics* metrics) {
           {"descent_m", value(&Metrics::descent_m)},
           {"threat", value(&Metrics::threat)},
           {"min_clearance_m", metrics ? number(metrics->min_clearance_m) : Json()},
-          {"corrections", nullptr},
-          {"probability", nullptr}};
+          {"corrections", metrics && metrics->corrections ? Json(*metrics->corrections) : Json()},
+          {"probability", metrics ? number(metrics->probability) : Json()}};
+}
+
+Json front_json(const std::vector<FrontPoint>& front) {
+  Json points = Json::array();
+  for (const FrontPoint& point : front) {
+    points.push_back({{"length_m", number(point.length_m)},
+                      {"corrections", point.corrections},
+                      {"probability", number(point.probability)},
+                      {"points", point.points}});
+  }
+  return points;
+}
+
+Json plane_json(const std::optional<ArcPlane>& plane) {
+  if (!plane) return nullptr;
+  return {{"center_z_m", number(plane->center_z_m)},
+          {"normal_x", number(plane->normal.x())},
+          {"normal_y", number(plane->normal.y())},
+          {"normal_z", number(plane->normal.z())}};
 }
 
 Json arc_json(const std::optional<Arc>& arc) {
@@ -80,7 +99,8 @@ Json arc_json(const std::optional<Arc>& arc) {
   return {{"center_x_m", number(arc->center.x())},
           {"center_y_m", number(arc->center.y())},
           {"radius_m", number(arc->radius_m)},
-          {"angle_deg", number(degrees(arc->angle_rad))}};
+          {"angle_deg", number(degrees(arc->angle_rad))},
+          {"plane", plane_json(arc->plane)}};
 }
 
 Json action_json(const std::optional<AttitudeAction>& action) {
@@ -164,7 +184,7 @@ std::string to_json(const Result& result) {
                {"metrics", metrics_json(found ? &result.metrics : nullptr)},
                {"verdict", found ? verdict_json(site, result.verdict) : no_verdict()},
                {"route", route_json(site, result.plan.route)},
-               {"front", Json::array()},
+               {"front", front_json(result.plan.front)},
                {"counters", counters_json(result)},
                {"frame", site.frame.name()},
                {"ground", ground_json(site)},

@@ -3,24 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/leg_shape.hpp"
+
 namespace alate {
 
 namespace {
 
-/// `offset` from an arc's centre, turned clockwise.
-Vec2 turned(const Vec2& offset, double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
-  return {c * offset.x() + s * offset.y(), c * offset.y() - s * offset.x()};
-}
-
 double heading_at(const Site& site, const Route& route, std::size_t i) {
-  if (i == 0) return site.mission.heading_rad;
-  const RouteState& state = route.states[i];
-  if (!state.arc) return heading_of(route.segment(i).b - route.segment(i).a);
-  const Vec2 offset = state.position.head<2>() - state.arc->center;
-  const double side = state.arc->angle_rad < 0 ? -1 : 1;
-  return heading_of(side * Vec3{offset.y(), -offset.x(), 0});
+  return i == 0 ? site.mission.heading_rad : heading_of(last_direction(route, i));
 }
 
 }  // namespace
@@ -52,17 +42,12 @@ std::vector<Vec3> drawn_line(const Route& route) {
   constexpr double kChord = 5 * kPi / 180;
   std::vector<Vec3> line;
   for (std::size_t i = 0; i < route.states.size(); ++i) {
-    const RouteState& state = route.states[i];
-    if (i > 0 && state.arc) {
-      const Vec3 from = route.states[i - 1].position;
-      const int pieces = static_cast<int>(std::ceil(std::abs(state.arc->angle_rad) / kChord));
-      for (int k = 1; k < pieces; ++k) {
-        const double t = static_cast<double>(k) / pieces;
-        const Vec2 at = state.arc->center + turned(from.head<2>() - state.arc->center, t * state.arc->angle_rad);
-        line.emplace_back(at.x(), at.y(), from.z() + t * (state.position.z() - from.z()));
-      }
+    const auto& arc = route.states[i].arc;
+    if (i > 0 && arc) {
+      const int pieces = static_cast<int>(std::ceil(std::abs(arc->angle_rad) / kChord));
+      for (int k = 1; k < pieces; ++k) line.push_back(point_on_leg(route, i, static_cast<double>(k) / pieces));
     }
-    line.push_back(state.position);
+    line.push_back(route.states[i].position);
   }
   return line;
 }

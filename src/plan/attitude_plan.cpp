@@ -64,6 +64,8 @@ std::string no_way(const Problem& problem, const CostToGo& guidance) {
 }  // namespace
 
 std::string attitude_refusal(const Problem& problem) {
+  if (problem.world.site().navigation)
+    return "knows nothing of navigation errors and correction points; take label-setting, or leave out navigation";
   const Vehicle& vehicle = problem.vehicle;
   std::string missing;
   const auto need = [&](bool given, const char* key) {

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "plan/attitude_planners.hpp"
+#include "plan/correction_planners.hpp"
 
 namespace alate {
 
@@ -34,6 +35,10 @@ const Registry& builtin_planners() {
     registry.add(beam_entry());
     registry.add(greedy_entry());
     registry.add(attitude_aco_entry());
+    registry.add(label_setting_entry());
+    registry.add(sparse_astar_entry());
+    registry.add(correction_ga_entry());
+    registry.add(correction_aco_entry());
     return registry;
   }();
   return kRegistry;

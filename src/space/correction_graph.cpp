@@ -20,12 +20,12 @@ Navigation without_points(const Navigation& navigation) {
           .goal_id = navigation.goal_id};
 }
 
+}  // namespace
+
 bool has_obstacles(const Site& site) {
   return site.has_ground() || site.band.ceiling_amsl_m || site.vehicle.climb_rad || site.vehicle.descent_rad ||
          std::ranges::any_of(site.threats, [](const Threat& threat) { return threat.core_m > 0; });
 }
-
-}  // namespace
 
 CorrectionGraph::CorrectionGraph(const World& world)
     : CorrectionGraph(without_points(*world.site().navigation), has_obstacles(world.site()) ? &world : nullptr) {
@@ -38,13 +38,11 @@ CorrectionGraph::CorrectionGraph(const Navigation& navigation, const Vec3& start
 }
 
 CorrectionGraph CorrectionGraph::within(double length_m) const {
-  std::vector<CorrectionPoint> inside;
-  for (Node i = 0; i < point_count(); ++i)
-    if (length(start(), i) + length(i, goal()) <= length_m)
-      inside.push_back({.id = id_[i], .position = position(i), .kind = kind(i), .success = success_[i]});
-  CorrectionGraph part(limits_, world_);
-  part.fill(inside, position(start()), position(goal()));
-  return part;
+  return part([&](Node i) { return length(start(), i) + length(i, goal()) <= length_m; });
+}
+
+CorrectionGraph CorrectionGraph::reliable() const {
+  return part([&](Node i) { return success_[i] >= 1; });
 }
 
 void CorrectionGraph::fill(std::span<const CorrectionPoint> points, const Vec3& start, const Vec3& goal) {
@@ -71,7 +69,7 @@ void CorrectionGraph::add(const CorrectionPoint& point) {
   unreliable_ = unreliable_ || point.success < 1;
 }
 
-/// A counting sort by cells of about one point each; within a cell the order of `points` stays.
+/// A counting sort by cells of about four points each; within a cell the order of `points` stays.
 void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKind kind) {
   Grid& grid = grids_[kind == PointKind::horizontal ? 1 : 0];
   std::size_t count = 0;
@@ -86,7 +84,7 @@ void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKin
   if (count == 0) return;
   const Vec2 extent = max - grid.min;
   const double n = static_cast<double>(count);
-  grid.cell_m = std::max({std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
+  grid.cell_m = std::max({2 * std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
   grid.columns = grid.whole(extent.x()) + 1;
   grid.rows = grid.whole(extent.y()) + 1;
 

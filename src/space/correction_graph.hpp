@@ -14,6 +14,9 @@
 
 namespace alate {
 
+/// Ground, ceilings, cores of threats or climb limits: can a straight leg be closed?
+bool has_obstacles(const Site& site);
+
 /// Points with start and goal, indexed 0 to size() - 1: first those that reset the vertical error, then those that
 /// reset the horizontal one, each sorted by cells of a grid; then the start, then the goal. Arcs are found on demand.
 class CorrectionGraph {
@@ -28,6 +31,9 @@ class CorrectionGraph {
   /// Only the points inside the ellipsoid |start p| + |p goal| <= `length_m`. No route up to this length uses others.
   CorrectionGraph within(double length_m) const;
 
+  /// Only the points whose corrections never fail.
+  CorrectionGraph reliable() const;
+
   std::size_t size() const { return x_.size(); }
   Node point_count() const { return static_cast<Node>(x_.size() - 2); }
   Node start() const { return point_count(); }
@@ -39,14 +45,42 @@ class CorrectionGraph {
   /// Id as the user numbers it.
   int id(Node i) const { return id_[i]; }
   double success(Node i) const { return success_[i]; }
+  CorrectionPoint point(Node i) const {
+    return {.id = id_[i], .position = position(i), .kind = kind(i), .success = success_[i]};
+  }
   /// May any correction fail?
   bool unreliable() const { return unreliable_; }
 
-  double length(Node i, Node j) const {
-    const double x = x_[j] - x_[i];
-    const double y = y_[j] - y_[i];
-    const double z = z_[j] - z_[i];
-    return std::sqrt(x * x + y * y + z * z);
+  double length(Node i, Node j) const { return std::sqrt(squared_length(i, j)); }
+
+  /// Calls visit(j, length, error after j) for each point `j` that can be flown to from `i` with `error` there. Whether
+  /// the leg is_free is left to the caller, as it may have cheaper reasons to pass it over.
+  template <class Visit>
+  void for_each_next(Node i, double error, Visit&& visit) const {
+    for (const PointKind to : {PointKind::vertical, PointKind::horizontal}) {
+      const ReducedLeg rule = leg(kind(i), to);
+      const double reach = rule.reach_m(error);
+      for_each_within(i, to, reach, [&](Node j, double d) {
+        if (j != i && rule.keeps_limits(error, d)) visit(j, d, rule.after(error, d));
+      });
+    }
+  }
+
+  /// Calls visit(i, length, most error at i) for the start and each point `i` from which `j` can be flown to so that at
+  /// most `most` error is left there; see ReducedLeg::most_before. For the goal `most` means nothing.
+  template <class Visit>
+  void for_each_previous(Node j, double most, Visit&& visit) const {
+    const auto try_leg = [&](const ReducedLeg& rule, Node i, double d) {
+      if (const double before = rule.most_before(most, d); before >= 0) visit(i, d, before);
+    };
+    for (const PointKind from : {PointKind::vertical, PointKind::horizontal}) {
+      const ReducedLeg rule = leg(from, kind(j));
+      const double reach = rule.reach_back_m(most);
+      for_each_within(j, from, reach, [&](Node i, double d) {
+        if (i != j) try_leg(rule, i, d);
+      });
+    }
+    try_leg(leg(PointKind::vertical, kind(j)), start(), length(start(), j));
   }
 
   /// Is the straight leg flown free of ground, ceilings and cores, and within the climb limits? Always, at no cost,
@@ -81,6 +115,34 @@ class CorrectionGraph {
   }
 
  private:
+  /// Calls visit(j, length) for each point of `kind` within `radius_m`. Those within are gathered first, without a
+  /// branch: whether one is, no processor can guess.
+  template <class Visit>
+  void for_each_within(Node i, PointKind kind, double radius_m, Visit&& visit) const {
+    constexpr Node kBlock = 64;
+    std::array<Node, kBlock> node;       // NOLINT(cppcoreguidelines-pro-type-member-init): filled before use
+    std::array<double, kBlock> squared;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    const double most = radius_m * radius_m;
+    near(i, kind, radius_m, [&](Node first, Node last) {
+      for (Node from = first; from < last; from += kBlock) {
+        std::size_t count = 0;
+        for (Node j = from; j < std::min(last, from + kBlock); ++j) {
+          node[count] = j;
+          squared[count] = squared_length(i, j);
+          count += squared[count] <= most ? 1U : 0U;
+        }
+        for (std::size_t k = 0; k < count; ++k) visit(node[k], std::sqrt(squared[k]));
+      }
+    });
+  }
+
+  double squared_length(Node i, Node j) const {
+    const double x = x_[j] - x_[i];
+    const double y = y_[j] - y_[i];
+    const double z = z_[j] - z_[i];
+    return x * x + y * y + z * z;
+  }
+
   /// Cells of one kind of points, row by row: the points of cell c are first[c] to first[c + 1] - 1.
   struct Grid {
     Vec2 min = Vec2::Zero();
@@ -95,6 +157,16 @@ class CorrectionGraph {
   };
 
   CorrectionGraph(const Navigation& limits, const World* world) : limits_(limits), world_(world) {}
+  /// The points for which keep(i).
+  template <class Keep>
+  CorrectionGraph part(Keep&& keep) const {
+    std::vector<CorrectionPoint> kept;
+    for (Node i = 0; i < point_count(); ++i)
+      if (keep(i)) kept.push_back(point(i));
+    CorrectionGraph part(limits_, world_);
+    part.fill(kept, position(start()), position(goal()));
+    return part;
+  }
   PointKind kind_of_point(Node i) const {
     return i < vertical_count_ || i == start() ? PointKind::vertical : PointKind::horizontal;
   }

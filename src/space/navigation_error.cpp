@@ -15,11 +15,17 @@ double length_for(double error, double rate) {
   return error / rate;
 }
 
+double with_hair(double length_m) { return length_m + kHair * std::abs(length_m); }
+
 }  // namespace
 
 double ReducedLeg::reach_m(double error) const {
-  const double exact = std::min(length_for(fresh_most, fresh_rate), length_for(carried_most - error, carried_rate));
-  return exact + kHair * std::abs(exact);
+  return with_hair(std::min(length_for(fresh_most, fresh_rate), length_for(carried_most - error, carried_rate)));
+}
+
+double ReducedLeg::reach_back_m(double most_after) const {
+  return with_hair(std::min({length_for(fresh_most, fresh_rate), length_for(carried_most + kErrorSlack, carried_rate),
+                             length_for(most_after + kErrorSlack, carries_on ? carried_rate : fresh_rate)}));
 }
 
 ReducedLeg reduced_leg(const Navigation& navigation, PointKind from, PointKind to) {

@@ -2,6 +2,7 @@
 // point does not reset is carried on).
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "alate/data/site.hpp"
@@ -49,6 +50,9 @@ inline std::optional<NavigationError> arrive(const Navigation& navigation, const
   return corrected(on_arrival, kind);
 }
 
+/// More than rounding adds to an error on any route, units.
+inline constexpr double kErrorSlack = 1e-9;
+
 /// The same in one number. After a correction one error is 0; the other, `error`, is all there is to know. A leg from
 /// a point of one kind to a point of another grows a fresh error from 0 and carries the other on. The start is as good
 /// as a point of either kind with error 0. Bits agree with `arrive`.
@@ -65,8 +69,20 @@ struct ReducedLeg {
   double after(double error, double length_m) const {
     return carries_on ? error + carried_rate * length_m : fresh_rate * length_m;
   }
-  /// No longer leg keeps the limits, to rounding; a hair more than the exact value, never less. Negative: none does.
+  /// No longer leg keeps the limits; a hair more than the exact value, never less. Negative: none does.
   double reach_m(double error) const;
+
+  /// The same seen from the target. Where `most_after` is the most error there from which the goal can be reached: the
+  /// most error at the source; negative where the leg cannot be used at all. Optimistic by kErrorSlack, so that what
+  /// follows from it is a bound whatever rounding does.
+  double most_before(double most_after, double length_m) const {
+    const double left = carried_most - carried_rate * length_m;
+    if (fresh_rate * length_m > fresh_most || left < -kErrorSlack) return -1;
+    if (carries_on) return std::min(left, most_after - carried_rate * length_m) + kErrorSlack;
+    return fresh_rate * length_m <= most_after + kErrorSlack ? left + kErrorSlack : -1;
+  }
+  /// No longer leg leads to the target, as reach_m.
+  double reach_back_m(double most_after) const;
 };
 
 /// `from` vertical or horizontal, `to` vertical, horizontal or end.

@@ -128,7 +128,7 @@ TEST(NotChecked, BareScenarioJudgesArrivalAlone) {
   EXPECT_EQ(verdict.status, Status::pass);
   ASSERT_EQ(verdict.margins.size(), 1U);
   EXPECT_EQ(verdict.margins.front().rule, "arrival");
-  EXPECT_EQ(verdict.not_checked.size(), 9U);
+  EXPECT_EQ(verdict.not_checked.size(), 12U);
   for (const NotChecked& entry : verdict.not_checked) EXPECT_FALSE(entry.why.empty() || entry.unknown);
 }
 

@@ -27,6 +27,10 @@ TEST(Golden, Jacksboro) {
   EXPECT_EQ(difference_from_golden(result, "jacksboro"), "");
 }
 
+TEST(Golden, Corrections) {
+  EXPECT_EQ(difference_from_golden(result_of({"plan", kCorrectionPoints, "--json", "--front"}), "corrections"), "");
+}
+
 TEST(Golden, ADifferenceIsFound) {
   const Json kept = Json::parse(R"({"cost": 100.0, "route": [{"x_m": 1.0}, {"x_m": 2.0}], "planner": "beam"})");
   const auto changed = [&](const char* place, const Json& value) {

@@ -13,6 +13,7 @@ namespace alate::test {
 using Json = nlohmann::json;
 
 inline const std::string kJacksboro = ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml";
+inline const std::string kCorrectionPoints = ALATE_SOURCE_DIR "/examples/corrections/scenario.yaml";
 inline const std::string kJacksboroTerrain = ALATE_SOURCE_DIR "/examples/jacksboro/jacksboro.tif";
 
 /// A small scenario without terrain, in plain metres; line 5 holds the threat.

@@ -19,10 +19,11 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"space", {"core", "data", "world", "space"}},
     {"search", {"core", "data", "world", "space", "search"}},
     {"aco", {"core", "data", "world", "space", "aco"}},
-    {"plan", {"core", "data", "world", "space", "search", "aco", "plan"}},
+    {"ga", {"core", "data", "world", "space", "search", "ga"}},
+    {"plan", {"core", "data", "world", "space", "search", "aco", "ga", "plan"}},
     {"check", {"core", "data", "check"}},
-    {"out", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out"}},
-    {"study", {"core", "data", "world", "space", "search", "aco", "plan", "check", "out", "study"}},
+    {"out", {"core", "data", "world", "space", "search", "aco", "ga", "plan", "check", "out"}},
+    {"study", {"core", "data", "world", "space", "search", "aco", "ga", "plan", "check", "out", "study"}},
 };
 
 /// Module that an include line names: "alate/data/site.hpp" and "data/limits.hpp" are both `data`.

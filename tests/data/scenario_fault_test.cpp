@@ -38,9 +38,9 @@ Wrong changed(const std::string& from, const std::string& to, const std::string&
 TEST(ScenarioFault, Keys) {
   expect_faults({
       added("vehicel: {}", "s.yaml:6:1: vehicel: unknown key; did you mean vehicle?"),
-      added(
-          "grid: {map: x}",
-          "s.yaml:6:1: grid: unknown key (allowed frame, terrain, start, goal, vehicle, threats, objective, planner)"),
+      added("grid: {map: x}",
+            "s.yaml:6:1: grid: unknown key (allowed frame, terrain, start, goal, vehicle, threats, objective, "
+            "navigation, planner)"),
       added("goal: {lat: 1}", "s.yaml:6:1: goal: given twice, first in line 5"),
       added("vehicle: {range_m: 1, range_m: 2}", "s.yaml:6:23: vehicle.range_m: given twice, first in line 6"),
       changed("level: 0.5, core_m: 1", "level: 0.5, level: 1",

@@ -9,6 +9,7 @@ namespace alate {
 namespace {
 
 using test::kFullScenario;
+using test::kNavigationScenario;
 
 /// One to four random edits: bytes replaced, removed, doubled, or pieces put in that YAML gives a meaning.
 std::string mutated(std::string text, std::mt19937& random) {
@@ -52,6 +53,7 @@ void read_or_refuse(const std::string& text, const std::vector<std::string>& ove
 TEST(ScenarioFuzz, MutatedFilesAreReadOrRefused) {
   std::mt19937 random(1);
   for (int i = 0; i < 5000; ++i) read_or_refuse(mutated(kFullScenario, random), {});
+  for (int i = 0; i < 3000; ++i) read_or_refuse(mutated(kNavigationScenario, random), {});
 }
 
 TEST(ScenarioFuzz, MutatedOverridesAreReadOrRefused) {

@@ -40,6 +40,23 @@ objective: {model: konatowski2019, fuel: 0.2, threat: 0.8}
 planner: {name: attitude-aco, preset: guided, parameters: {ants: 20, score: J+h}}
 )";
 
+/// Every key of `navigation`, in a frame of its own.
+inline const std::string kNavigationScenario = R"(navigation:
+  points:
+  - {id: 7, position_m: [0, 0, 100], kind: start}
+  - {id: 8, position_m: [5000, 100, 200], kind: vertical, may_fail: true}
+  - {position_m: [9000, 0, 100], kind: horizontal}
+  - {id: 9, position_m: [14000, 0, 100], kind: end}
+  drift_per_m: {vertical: 0.001, horizontal: 0.002}
+  alpha: [25, 15]
+  beta: [20, 25]
+  theta: 30
+  success: 0.75
+  residual: 4
+  turn_radius_m: 200
+  turn_model: arc_tangent
+)";
+
 /// The least that is a scenario, in five lines, for a fault in an added line 6.
 inline const std::string kSmallScenario = R"(# small
 frame:

@@ -25,6 +25,7 @@ class Generator {
     s.vehicle = vehicle();
     for (int i = pick(4); i > 0; --i) s.threats.push_back(threat(s));
     objective(s.objective);
+    if (coin()) s.navigation = navigation(s);
     if (coin())
       s.planner = PlannerSpec{.name = word(), .preset = coin() ? word() : "", .parameters = {{word(), word()}}};
     return s;
@@ -80,6 +81,32 @@ class Generator {
     if (s.frame.local || (!automatic && coin())) return {.position_m = position<3>()};
     PlaceSpec p{.lat_deg = number(-90, 90), .lon_deg = number(-180, 180)};
     (s.terrain && coin() ? p.agl_m : p.amsl_m) = number(-100, 9000);
+    return p;
+  }
+  NavigationSpec navigation(const Scenario& s) {
+    NavigationSpec n{.alpha = {number(0, 9), positive()}, .beta = {positive(), 0}, .theta = positive()};
+    if (coin()) {
+      n.points_file = "folder/" + word();
+    } else {
+      for (int i = pick(5); i >= 0; --i) n.points.push_back(point(s));
+    }
+    n.drift_vertical_per_m = number(0, 1);
+    n.success = number(0, 1);
+    n.residual = positive();
+    maybe(n.turn_radius_m, 1, 300);
+    if (n.turn_radius_m) n.turn_model = static_cast<TurnModel>(pick(3));
+    return n;
+  }
+  CorrectionPointSpec point(const Scenario& s) {
+    CorrectionPointSpec p{.kind = static_cast<PointKind>(pick(4)), .may_fail = coin()};
+    if (coin()) p.id = pick(1000);
+    if (s.frame.local || coin()) {
+      p.position_m = position<3>();
+    } else {
+      p.lat_deg = number(-90, 90);
+      p.lon_deg = number(-180, 180);
+      p.amsl_m = number(-9, 99);
+    }
     return p;
   }
   VehicleSpec vehicle() {

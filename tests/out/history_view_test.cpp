@@ -18,8 +18,8 @@ TEST(HistoryView, ShowsCostsAndShares) {
       {.best_so_far = 12, .best = 12, .mean = 14, .worst = 16, .arrived = 0.5, .known = 0},
       {.best_so_far = 10, .best = 10, .mean = 11, .worst = 13, .arrived = 1, .known = 0.25}};
   const std::string html = history_figure(history);
-  for (const char* name : {"Best so far", "Best ant", "Mean of the ants that arrived", "Worst ant", "Ants that arrived",
-                           "Moves onto a known trail"})
+  for (const char* name : {"Best so far", "Best of the iteration", "Mean of the iteration", "Worst of the iteration",
+                           "Routes found", "Moves onto a known trail"})
     EXPECT_NE(html.find(name), std::string::npos) << name;
   EXPECT_EQ(count(html, "<polyline"), 6U);
 }
@@ -33,8 +33,14 @@ TEST(HistoryView, LinesAreBrokenWhereNoAntArrived) {
   EXPECT_EQ(html.find("nan"), std::string::npos);
 }
 
+TEST(HistoryView, OnlyAColonyHasTrails) {
+  const std::string html = history_figure({{.best_so_far = 12, .arrived = 0.5}, {.best_so_far = 12, .arrived = 0.5}});
+  EXPECT_NE(html.find("Routes found"), std::string::npos);
+  EXPECT_EQ(html.find("trail"), std::string::npos);
+}
+
 TEST(HistoryView, AColonyWithoutAnyRouteIsDrawnToo) {
-  const std::string html = history_figure(std::vector<IterationStats>(3));
+  const std::string html = history_figure(std::vector<IterationStats>(3, {.known = 0}));
   EXPECT_EQ(html.find("nan"), std::string::npos);
   EXPECT_EQ(html.find("inf"), std::string::npos);
   EXPECT_EQ(count(html, "<polyline"), 2U);

@@ -164,5 +164,45 @@ TEST(Summary, SaysWhetherTheRouteMayBeFlown) {
             "A route of 11.0 km was found, but the data do not reach far enough to judge terrain_clearance.");
 }
 
+TEST(Summary, TellsCorrectionsAndChances) {
+  Flight flight;
+  flight.find_route();
+  flight.site.navigation = Navigation{.points = {{.id = 1}}};
+  flight.result.metrics.corrections = 1;
+  flight.result.metrics.probability = 1;
+  const std::string start = "A route of 11.0 km with 1 correction was found that keeps all 1 rules that were judged. ";
+  EXPECT_EQ(summary(flight.result), start + "Its cost is at most 10.5 % above the best possible.");
+  flight.site.navigation->points[0].success = 0.8;
+  EXPECT_TRUE(summary(flight.result).ends_with(" It succeeds even if every correction that may fail does."));
+  flight.result.metrics.probability = 0.99999;
+  EXPECT_TRUE(summary(flight.result).ends_with(" As corrections may fail, it succeeds with a chance of 99.9 %."));
+}
+
+TEST(Summary, TellsTheFront) {
+  Flight flight;
+  flight.find_route();
+  flight.result.plan.front = {{.length_m = 12000, .corrections = 1}, {.length_m = 11000, .corrections = 2}};
+  EXPECT_TRUE(summary(flight.result)
+                  .ends_with(" 2 best trade-offs are known: 1 correction over 12.0 km; 2 corrections over 11.0 km."));
+  flight.result.plan.front.resize(6, {.length_m = 10000, .corrections = 3, .probability = 0.5});
+  EXPECT_TRUE(summary(flight.result)
+                  .ends_with("1 correction over 12.0 km (100 %); 2 corrections over 11.0 km (100 %); 3 corrections "
+                             "over 10.0 km (50.0 %); 3 corrections over 10.0 km (50.0 %); and 2 more."));
+}
+
+TEST(ResultJson, HoldsTheFrontAndWhatPointsDo) {
+  Flight flight;
+  flight.find_route();
+  EXPECT_TRUE(Json::parse(to_json(flight.result))["metrics"]["corrections"].is_null());
+  flight.result.metrics.corrections = 3;
+  flight.result.metrics.probability = 0.5;
+  flight.result.plan.front = {{.length_m = 12000, .corrections = 1, .probability = 0.25, .points = {503, 294}}};
+  const Json json = Json::parse(to_json(flight.result));
+  EXPECT_EQ(json["metrics"]["corrections"], 3);
+  EXPECT_EQ(json["metrics"]["probability"], 0.5);
+  const Json front = {{{"length_m", 12000.0}, {"corrections", 1}, {"probability", 0.25}, {"points", {503, 294}}}};
+  EXPECT_EQ(json["front"], front);
+}
+
 }  // namespace
 }  // namespace alate

@@ -34,16 +34,24 @@ TEST(RoundTripFiles, RememberScenarioActionsAndArcs) {
   flight.find_route();
   flight.result.plan.route.states.push_back({.position = {9100, 7100, 200}, .leg = LegKind::arc});
   flight.result.plan.route.states.back().arc = Arc{.center = {9100, 7000}, .radius_m = 100, .angle_rad = kPi / 2};
+  const ArcPlane plane{.center_z_m = 212.5, .normal = {0.6, 0, 0.8}};
+  flight.result.plan.route.states.push_back({.position = {9160, 7000, 210}, .leg = LegKind::arc});
+  flight.result.plan.route.states.back().arc =
+      Arc{.center = {9160, 7100}, .radius_m = 100, .angle_rad = 1, .plane = plane};
   write_results(folder.path(), flight.result);
   const RouteFile read = load_route(folder.path() / "result.json", flight.site.frame);
   EXPECT_EQ(read.format, "result");
   EXPECT_EQ(read.scenario, flight.site.scenario.file);
   EXPECT_EQ(read.overrides, flight.site.scenario.overrides);
-  ASSERT_EQ(read.route.states.size(), 5U);
+  ASSERT_EQ(read.route.states.size(), 6U);
   ASSERT_TRUE(read.route.states[1].action.has_value());
   EXPECT_NEAR(read.route.states[1].action->pitch_rad, radians(3), 1e-12);
   ASSERT_TRUE(read.route.states[4].arc.has_value());
   EXPECT_NEAR(read.route.states[4].arc->angle_rad, kPi / 2, 1e-12);
+  EXPECT_FALSE(read.route.states[4].arc->plane);
+  ASSERT_TRUE(read.route.states[5].arc.has_value() && read.route.states[5].arc->plane.has_value());
+  EXPECT_EQ(read.route.states[5].arc->plane->center_z_m, plane.center_z_m);
+  EXPECT_EQ(read.route.states[5].arc->plane->normal, plane.normal);
   EXPECT_EQ(read.route.states[3].point_id, 7);
 }
 

@@ -69,6 +69,18 @@ TEST(RouteCsv, PointsAlongTheTangentAtTheEndOfAnArc) {
   EXPECT_GT(drawn_line(route).size(), 15U);
 }
 
+TEST(RouteCsv, DrawsATiltedArcAsItIsFlown) {
+  Flight flight;
+  Route& route = flight.result.plan.route;
+  route.states.push_back({.position = {0, 0, 100}, .leg = LegKind::start});
+  // From north straight up.
+  route.states.push_back({.position = {0, 100, 200}, .leg = LegKind::arc});
+  route.states[1].arc =
+      Arc{.center = {0, 0}, .radius_m = 100, .angle_rad = kPi / 2, .plane = ArcPlane{200, Vec3::UnitX()}};
+  for (const Vec3& at : drawn_line(route)) EXPECT_NEAR((at - Vec3{0, 0, 200}).norm(), 100, 1e-9);
+  EXPECT_GT(drawn_line(route).size(), 15U);
+}
+
 TEST(RouteGeoJson, FollowsRfc7946) {
   Flight flight;
   flight.find_route();

@@ -61,6 +61,8 @@ struct Metrics {
   double descent_m = 0;
   double threat = 0;                      ///< Exposure: metres in the physical model, sum over nodes in konatowski2019.
   std::optional<double> min_clearance_m;  ///< Nothing without ground, or where it is unknown.
+  std::optional<std::size_t> corrections;  ///< Correction points used; nothing without navigation errors.
+  std::optional<double> probability;       ///< That no error breaks its limit although points fail; as above.
 };
 
 /// Computes cost and sizes from the scenario's own data, by closed forms on straight legs and to 1e-6 (relative)

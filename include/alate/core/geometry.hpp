@@ -47,6 +47,9 @@ double climb_angle(const Segment& leg);
 /// Angle between two directions in the plane, in [0, pi]. Zero if either is vertical.
 double turn_between(const Vec3& before, const Vec3& after);
 
+/// Angle between two directions in space, in [0, pi]. Zero if either has no length.
+double angle_between(const Vec3& before, const Vec3& after);
+
 /// Smallest t in [0, 1] at which the segment is closest to `point`.
 double closest_parameter(const Segment& leg, const Vec3& point);
 

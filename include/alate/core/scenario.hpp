@@ -50,6 +50,7 @@ struct PlaceSpec {
   std::optional<double> amsl_m;
   std::optional<double> agl_m;
 
+  bool given() const { return position_m || lat_deg; }
   bool operator==(const PlaceSpec&) const = default;
 };
 

@@ -69,6 +69,8 @@ struct CorrectionPoint {
 /// Drift and reset of the navigation error (Zhou et al. 2020, problems 1 to 3). Errors in units. Both are 0 at the
 /// start and grow with the length flown. A point may be used only if the errors on arrival keep its limits.
 struct Navigation {
+  static constexpr int kNoId = -1;
+
   struct Limits {
     double vertical = 0;
     double horizontal = 0;
@@ -82,8 +84,8 @@ struct Navigation {
   double residual = 0;   ///< A failed correction leaves min(error, residual).
   TurnModel turn_model = TurnModel::none;
   double turn_radius_m = 0;  ///< 0: none.
-  int start_id = 0;          ///< Ids of the ends as the points file has them.
-  int goal_id = 0;
+  int start_id = kNoId;      ///< Ids of the ends, where the points have them.
+  int goal_id = kNoId;
 };
 
 struct Site {

@@ -33,14 +33,15 @@ struct Problem {
       : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
 };
 
-/// One iteration of a colony. Costs are of the ants that arrived; nothing where none did.
+/// One iteration of a colony or a population. Costs are of the ants that arrived, of the individuals that are routes;
+/// nothing where none did.
 struct IterationStats {
   std::optional<double> best_so_far;
   std::optional<double> best;
   std::optional<double> mean;
   std::optional<double> worst;
-  double arrived = 0;  ///< Share of ants that reached the goal, 0 to 1.
-  double known = 0;    ///< Share of moves onto a trail that an earlier iteration had left, 0 to 1.
+  double arrived = 0;           ///< Share of them, 0 to 1.
+  std::optional<double> known;  ///< Colonies: share of moves onto a trail that an earlier iteration had left, 0 to 1.
 };
 
 /// One route of a Pareto front of length, corrections and chance of success.
@@ -61,7 +62,7 @@ struct Plan {
   std::uint64_t seed = 0;
   bool reproducible = true;                       ///< False after a deadline or a cancel.
   std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
-  std::vector<IterationStats> history;            ///< Colonies only, one entry an iteration.
+  std::vector<IterationStats> history;            ///< Colonies and populations, one entry an iteration.
   std::vector<FrontPoint> front;                  ///< If asked for; by corrections, then length.
   std::string why;                                ///< Without a route: what stands in the way, and where.
 };

@@ -1,3 +1,4 @@
+#include "check/corrections.hpp"
 #include "check/leg_shape.hpp"
 #include "check/rules.hpp"
 
@@ -9,6 +10,16 @@ constexpr double kStartTolerance = 1;
 
 }  // namespace
 
+/// Is each correction point where the route says that it is?
+void judge_points(const Flight& flight, RuleReport& report) {
+  for (const Visit& visit : visits_of(*flight.site.navigation, flight.route)) {
+    const RouteState& state = flight.route.states[visit.state];
+    if (visit.point == nullptr && !visit.unknown) continue;
+    const double missed = visit.unknown ? kUnbounded : (state.position - visit.point->position).norm();
+    if (missed > kRoundingNoise) report.at_most({.leg = visit.state, .where = state.position, .value = missed});
+  }
+}
+
 RuleReport judge_arrival(const Flight& flight) {
   RuleReport report("arrival");
   const Mission& mission = flight.site.mission;
@@ -19,6 +30,7 @@ RuleReport judge_arrival(const Flight& flight) {
   if (missed_start > kStartTolerance) {
     report.at_most({.leg = 0, .where = first, .value = missed_start, .limit = kStartTolerance});
   }
+  if (flight.site.navigation) judge_points(flight, report);
   report.at_most({.leg = states.empty() ? 0 : states.size() - 1,
                   .where = last,
                   .value = states.empty() ? kUnbounded : (last - mission.goal).norm(),

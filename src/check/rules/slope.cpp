@@ -13,7 +13,7 @@ RuleReport judge_slope(const Flight& flight, RuleReport report, std::optional<do
   for (std::size_t i = 1; i < flight.route.states.size(); ++i) {
     report.at_most({.leg = i,
                     .where = flight.route.states[i].position,
-                    .value = degrees(sign * climb_angle_of_leg(flight.route, i)),
+                    .value = degrees(steepest_angle_of_leg(flight.route, i, sign)),
                     .limit = degrees(*limit_rad),
                     .unit = "deg"});
   }

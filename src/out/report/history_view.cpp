@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "out/report/axis.hpp"
@@ -31,18 +32,18 @@ struct Series {
 
 const std::vector<Series>& cost_series() {
   static const std::vector<Series> kSeries{
-      {"ants worst", "s-worst", "Worst ant", [](const IterationStats& s) { return s.worst; }},
-      {"ants mean", "s-ants-mean", "Mean of the ants that arrived", [](const IterationStats& s) { return s.mean; }},
-      {"ants best", "s-best", "Best ant", [](const IterationStats& s) { return s.best; }},
+      {"ants worst", "s-worst", "Worst of the iteration", [](const IterationStats& s) { return s.worst; }},
+      {"ants mean", "s-ants-mean", "Mean of the iteration", [](const IterationStats& s) { return s.mean; }},
+      {"ants best", "s-best", "Best of the iteration", [](const IterationStats& s) { return s.best; }},
       {"route", "s-route", "Best so far", [](const IterationStats& s) { return s.best_so_far; }}};
   return kSeries;
 }
 
 const std::vector<Series>& share_series() {
   static const std::vector<Series> kSeries{
-      {"route", "s-route", "Ants that arrived", [](const IterationStats& s) { return std::optional(100 * s.arrived); }},
+      {"route", "s-route", "Routes found", [](const IterationStats& s) { return std::optional(100 * s.arrived); }},
       {"ants mean", "s-ants-mean", "Moves onto a known trail",
-       [](const IterationStats& s) { return std::optional(100 * s.known); }}};
+       [](const IterationStats& s) { return s.known ? std::optional(100 * *s.known) : std::nullopt; }}};
   return kSeries;
 }
 
@@ -82,13 +83,17 @@ void draw_series(Svg& svg, const Axes& axes, const History& history, const Serie
 
 std::string diagram(const History& history, const Axes& axes, const std::vector<Series>& lines,
                     std::string_view title) {
+  std::vector<Series> shown;
+  std::ranges::copy_if(lines, std::back_inserter(shown), [&](const Series& series) {
+    return std::ranges::any_of(history, [&](const IterationStats& now) { return series.pick(now).has_value(); });
+  });
   Svg svg(kWidth, axes.area.size.y() + kMargins, title);
   draw_axes(svg, axes);
   svg.begin_clip(axes.area.corner, axes.area.size);
-  for (const Series& series : lines) draw_series(svg, axes, history, series);
+  for (const Series& series : shown) draw_series(svg, axes, history, series);
   svg.end_clip();
   std::string items;
-  for (const Series& series : lines)
+  for (const Series& series : shown)
     items += fmt::format("<li><span class=\"swatch {}\"></span>{}</li>\n", series.swatch, series.name);
   return fmt::format("<figure>\n{}<ul class=\"key\">\n{}</ul>\n</figure>\n", svg.str(), items);
 }
@@ -111,8 +116,8 @@ std::string history_figure(const std::vector<IterationStats>& history) {
   Axes shares = axes_over(history, kShareHeight);
   shares.y = {0, 100, shares.area.corner.y() + shares.area.size.y(), shares.area.corner.y()};
   shares.y_title = "Share, %";
-  return diagram(history, costs, cost_series(), "Cost of the ants' routes by iteration") +
-         diagram(history, shares, share_series(), "Ants that arrived and trails met, by iteration");
+  return diagram(history, costs, cost_series(), "Cost of routes by iteration") +
+         diagram(history, shares, share_series(), "Share of tries that found a route, by iteration");
 }
 
 }  // namespace alate

@@ -11,6 +11,7 @@
 #include "out/report/hillshade.hpp"
 #include "out/report/map_frame.hpp"
 #include "out/report/number_words.hpp"
+#include "out/report/point_layer.hpp"
 #include "out/report/svg.hpp"
 #include "out/route_points.hpp"
 #include "out/text.hpp"
@@ -210,6 +211,7 @@ std::string legend(const Shown& shown) {
   if (!shown.result.plan.route.empty()) items += key("s-route", "Route");
   items += key("s-direct", "Straight line");
   if (shown.barred) items += key("s-barred", "Straight line where it is not allowed");
+  items += points_key(shown.map, site);
   if (!site.threats.empty()) items += key("s-threat", "Threat: flying inside costs");
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
@@ -251,8 +253,10 @@ std::string map_figure(const Result& result) {
     draw_blank(svg, map);
   }
   draw_threats(svg, map, site);
+  draw_points(svg, map, site);
   const bool barred = draw_direct_line(svg, map, site);
   draw_route(svg, map, route);
+  draw_used_points(svg, map, site, route);
   if (!route.empty()) draw_violations(svg, map, result.verdict);
   draw_ends(svg, map, site.mission);
   draw_threat_names(svg, map, site);

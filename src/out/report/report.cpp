@@ -6,6 +6,8 @@
 
 #include "alate/data/scenario_file.hpp"
 #include "out/notes.hpp"
+#include "out/report/errors_view.hpp"
+#include "out/report/front_view.hpp"
 #include "out/report/history_view.hpp"
 #include "out/report/map_view.hpp"
 #include "out/report/page.hpp"
@@ -46,6 +48,8 @@ std::string facts(const Result& result) {
     items += fact(fmt::format("{:.0f} m", *metrics.min_clearance_m),
                   fmt::format("lowest above ground, {:.0f} m asked", asked));
   }
+  if (metrics.corrections) items += fact(fmt::format("{}", *metrics.corrections), "corrections");
+  if (metrics.probability) items += fact(chance_in_words(*metrics.probability), "chance of success");
   items += fact(fmt::format("{:.0f} m", metrics.climb_m), "climb, all told");
   if (!result.site.threats.empty()) {
     const bool physical = result.site.scenario.objective.model == CostModel::physical;
@@ -82,8 +86,10 @@ std::string body(const Result& result) {
   if (found) html += facts(result);
   html += page_section("Map", map_figure(result));
   html += page_section("Height along the way", profile_figure(result));
+  html += page_section("Navigation errors along the way", errors_figure(result));
+  html += page_section("The best trade-offs", front_figure(result));
   if (found) html += page_section("What was checked", rules_table(result));
-  html += page_section("How the ants went", history_figure(result.plan.history));
+  html += page_section("How the search went", history_figure(result.plan.history));
   html += page_section("Numbers", numbers_table(result));
   html += page_section("To know before flying", warning_list(result));
   html += page_section("How it was made", settings_table(result) + scenario_text(result.site.scenario));

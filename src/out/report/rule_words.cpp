@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -44,6 +45,20 @@ std::string ceilings(const Band& band) {
   return above_ground + (above_ground.empty() || above_sea.empty() ? "" : ", ") + above_sea;
 }
 
+/// The larger radius where both the vehicle and its navigation have one.
+std::optional<double> least_radius(const Site& site) {
+  const auto& own = site.vehicle.turn_radius_m;
+  if (!site.navigation || site.navigation->turn_model == TurnModel::none) return own;
+  return std::max(own.value_or(0), site.navigation->turn_radius_m);
+}
+
+std::string error_limit(std::string_view rule, const Navigation& navigation) {
+  if (rule == "final_error") return fmt::format("below {} units", navigation.theta);
+  const auto error = rule == "vertical_error" ? &Navigation::Limits::vertical : &Navigation::Limits::horizontal;
+  return fmt::format("at most {} units at vertical, {} at horizontal points", navigation.at_vertical.*error,
+                     navigation.at_horizontal.*error);
+}
+
 }  // namespace
 
 std::string rule_title(std::string_view rule) {
@@ -58,11 +73,12 @@ std::string rule_limit(std::string_view rule, const Site& site) {
   if (rule == "terrain_clearance") return limit("at least", site.band.clearance_m, "m");
   if (rule == "ceiling") return ceilings(site.band);
   if (rule == "threat_core") return "outside every core";
-  if (rule == "turn") return limit("radius at least", vehicle.turn_radius_m, "m");
+  if (rule == "turn") return limit("radius at least", least_radius(site), "m");
   if (rule == "climb") return in_degrees("at most", vehicle.climb_rad);
   if (rule == "descent") return in_degrees("at most", vehicle.descent_rad);
   if (rule == "step") return limit("steps of", vehicle.step_m, "m, rotations from the lists");
   if (rule == "arrival") return limit("within", site.mission.tolerance_m, "m");
+  if (rule.ends_with("_error") && site.navigation) return error_limit(rule, *site.navigation);
   if (rule == "endurance") return limit("at most", vehicle.range_m, "m");
   return {};
 }

@@ -9,6 +9,7 @@ const std::string_view kStyle = R"css(
   --route: #0b4f9e; --halo: #ffffff; --threat: #c2410c; --ground: #b9ab94; --ground-edge: #7d6d55;
   --band: #d9ecdf; --limit: #2f7d51; --pass: #1f6f43; --fail: #b3261e; --unknown: #8a5a00;
   --pass-tint: #e7f3ec; --fail-tint: #fbe9e7; --unknown-tint: #fdf3dc; --void: #b2b4b8;
+  --vertical: #8a2d9c; --horizontal: #0c7a70;
 }
 @media (prefers-color-scheme: dark) {
   :root {
@@ -16,6 +17,7 @@ const std::string_view kStyle = R"css(
     --route: #6cb4ff; --halo: #0d1115; --threat: #ff8a4c; --ground: #6d6251; --ground-edge: #a6967b;
     --band: #1d3a2b; --limit: #6fc796; --pass: #7fd3a4; --fail: #ff9d94; --unknown: #f0c46a;
     --pass-tint: #182b21; --fail-tint: #361c1a; --unknown-tint: #322812; --void: #5d636a;
+    --vertical: #dc9bef; --horizontal: #4fcdbf;
   }
   .relief { filter: brightness(.62); }
 }
@@ -84,6 +86,24 @@ svg .tolerance { fill: none; stroke: var(--ink); stroke-width: 1.6; stroke-dasha
 svg .plate { fill: var(--card); opacity: .78; }
 svg .scale { stroke: var(--ink); stroke-width: 2.4; }
 svg .north { fill: var(--ink); }
+svg .vertical { --k: var(--vertical); }
+svg .horizontal { --k: var(--horizontal); }
+svg .point { fill: var(--k); stroke: var(--k); stroke-width: 1.6; opacity: .75; transform-box: fill-box;
+  transform-origin: center; }
+svg .unsure { fill: var(--card); }
+svg .used { opacity: 1; stroke-width: 2.6; }
+svg .used:not(.unsure) { stroke: var(--halo); }
+svg .error { fill: none; stroke: var(--k); stroke-width: 3; stroke-linejoin: round; }
+svg .error.horizontal { stroke-dasharray: 9 5; }
+svg .error-limit { stroke: var(--k); stroke-width: 5; }
+svg .front { fill: var(--card); stroke: var(--route); stroke-width: 3; }
+svg .front.chosen { fill: var(--route); }
+.key svg.mark { width: 1.1rem; height: 1.1rem; flex: none; }
+.s-vertical { height: 0; border-top: 3px solid var(--vertical); border-radius: 0; }
+.s-horizontal { height: 0; border-top: 3px dashed var(--horizontal); border-radius: 0; }
+.front th, .front td:not(.ids) { white-space: nowrap; }
+.front .ids { overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
+.front .chosen td { background: var(--pass-tint); }
 svg .ants { fill: none; stroke-width: 2; stroke-linejoin: round; }
 svg .ants.best { stroke: var(--pass); }
 svg .ants.mean { stroke: var(--ink); stroke-dasharray: 7 5; }
@@ -119,6 +139,10 @@ summary { cursor: pointer; padding: .4rem 0; }
   svg .halo { stroke-width: 13; }
   svg .barred { stroke-width: 8; }
   svg .direct { stroke-width: 3; }
+  svg .point { transform: scale(1.6); }
+  svg.mark .point { transform: none; }
+  svg .error { stroke-width: 6; }
+  svg .error-limit { stroke-width: 9; }
   .rules thead { display: none; }
   .rules tr { display: block; padding: .5rem 0; border-bottom: 1px solid var(--rule); }
   .rules th, .rules td { display: block; border: 0; padding: .05rem 0; }

@@ -129,6 +129,8 @@ std::string numbers_table(const Result& result) {
             {"Climb, all told", figure(m.climb_m, "m")},
             {"Descent, all told", figure(m.descent_m, "m")},
             {"Exposure to threats", figure(m.threat, physical ? "m" : "")}};
+    if (m.corrections) rows.emplace_back("Corrections", whole(*m.corrections));
+    if (m.probability) rows.emplace_back("Chance of success", chance_in_words(*m.probability));
     if (m.min_clearance_m) rows.emplace_back("Lowest height above ground", figure(*m.min_clearance_m, "m"));
   }
   rows.emplace_back("Planning time", figure(result.wall_s, "s"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "space/rotations.hpp"
 #include "study/intrusion.hpp"
@@ -55,7 +56,7 @@ double history_mean(const Study& study, std::string_view method, std::size_t ite
   for (std::size_t c = 0; c < study.main.cases.size(); ++c) {
     for (const StudyRun& run : study.main.at(c, m).runs) {
       if (iteration >= run.plan.history.size()) continue;
-      sum += run.plan.history[iteration].*field;
+      sum += std::optional<double>(run.plan.history[iteration].*field).value_or(0);
       ++count;
     }
   }

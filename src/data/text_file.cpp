@@ -1,0 +1,34 @@
+#include "data/text_file.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "alate/core/fault.hpp"
+
+namespace alate {
+
+std::string read_text_file(const std::string& file, std::size_t most_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(Fault{.file = file, .message = "no such file"});
+  if (!std::filesystem::is_regular_file(status)) throw InputError(Fault{.file = file, .message = "is not a file"});
+  std::ifstream stream(file, std::ios::binary);
+  const auto size = std::filesystem::file_size(file, error);
+  if (!stream || error) throw InputError(Fault{.file = file, .message = "cannot be read"});
+  if (size > most_bytes) {
+    throw InputError(Fault{.file = file,
+                           .value = fmt::format("{}", size),
+                           .limit = fmt::format("<= {}", most_bytes),
+                           .unit = "bytes",
+                           .message = "too large"});
+  }
+  std::string text(size, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(size));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return text;
+}
+
+}  // namespace alate
