@@ -101,6 +101,8 @@ class Wrapping {
 
 std::string heuristic_refusal(const Problem& problem) {
   if (std::string why = correction_refusal(problem); !why.empty()) return why;
+  if (problem.world.site().navigation->turn_model != TurnModel::none)
+    return "flies straight legs only; set navigation.turn_model to none";
   if (problem.prefer == Preference::probability)
     return "plans as if every correction worked, and cannot prefer the probability of success";
   return "";
