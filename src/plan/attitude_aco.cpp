@@ -110,20 +110,32 @@ class AttitudeAco {
             .candidates = colony.moves() * space.actions()};
   }
 
-  /// A route for ants to follow: in the node model, whose costs know of the goal, the cheaper of the greedy walks by J
-  /// and by J + h; elsewhere the walk by J + h, and what a few narrow passes of beam search make of it
-  /// (Beam-ACO: Blum 2005). Each pass counts as an iteration.
+  /// A route for ants to follow: the greedy walk, and what a few narrow passes of beam search make of it (Beam-ACO:
+  /// Blum 2005). Each pass counts as an iteration.
   SearchResult first_route(const AttitudeAnts& space, RunContext& run) const {
-    if (values_.text("first_route") == "none") return {};
-    SearchResult greedy = Greedy(space.lattice(), GreedyOptions{.max_step_backs = 500}).run(run);
-    if (space.in_single_precision()) {
-      SearchResult by_cost = Greedy(space.lattice(), {.use_guide = false, .max_step_backs = 500}).run(run);
-      return by_cost.cost < greedy.cost ? by_cost : greedy;
-    }
-    const auto passes = static_cast<std::uint64_t>(values_.integer("beam_passes"));
-    if (passes == 0) return greedy;
+    const std::string& kind = values_.text("first_route");
+    if (kind == "none") return {};
+    SearchResult greedy = greedy_walk(space, run);
+    if (kind == "greedy") return greedy;
+    const std::uint64_t passes = beam_passes(space);
     const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
     return Beam(space.lattice(), options).run(run, std::move(greedy));
+  }
+
+  /// In the node model, whose costs know of the goal, the cheaper of the walks by J and by J + h.
+  static SearchResult greedy_walk(const AttitudeAnts& space, RunContext& run) {
+    SearchResult greedy = Greedy(space.lattice(), GreedyOptions{.max_step_backs = 500}).run(run);
+    if (!space.in_single_precision()) return greedy;
+    SearchResult by_cost = Greedy(space.lattice(), {.use_guide = false, .max_step_backs = 500}).run(run);
+    return by_cost.cost < greedy.cost ? by_cost : greedy;
+  }
+
+  std::uint64_t beam_passes(const AttitudeAnts& space) const {
+    constexpr std::uint64_t kAmongNodes = 3;  // from there on the ants, priced in single precision, gain more
+    constexpr std::uint64_t kElsewhere = 4;
+    if (const std::int64_t passes = values_.integer("beam_passes"); passes > 0)
+      return static_cast<std::uint64_t>(passes);
+    return space.in_single_precision() ? kAmongNodes : kElsewhere;
   }
 
   /// How near the goal must have been for an ant that flies past it to end.

@@ -165,16 +165,16 @@ std::vector<Parameter> search_parameters() {
   return {
       {.name = "first_route",
        .default_value = word("known"),
-       .choices = {"known", "none"},
-       .help = "What ants may follow before any has arrived: the greedy walk, improved by beam search over terrain; or "
-               "nothing.",
+       .choices = {"known", "greedy", "none"},
+       .help = "What ants may follow before any has arrived: the greedy walk, improved by a few narrow passes of beam "
+               "search; the greedy walk alone; or nothing.",
        .source = "Blum 2005 (Beam-ACO)"},
       {.name = "beam_passes",
-       .default_value = whole(4),
+       .default_value = whole(0),
        .min = 0,
        .max = 10,
-       .help = "Over terrain, or with limits of the aircraft: passes of beam search before the ants, for a first route "
-               "to follow.",
+       .help = "Passes of beam search before the ants, each counted as an iteration; 0: 3 under the konatowski2019 "
+               "objective in open air, 4 elsewhere.",
        .source = "Blum 2005 (Beam-ACO)"},
       {.name = "local_search",
        .default_value = word("action-string"),
@@ -240,7 +240,11 @@ std::vector<Preset> attitude_aco_presets() {
        .values = published({{"deposit", word("max-min")}, {"evaporation", 0.2}})},
       {.name = "acs",
        .help = "Ant Colony System with the goal-directed heuristic on trail cells.",
-       .values = {{"deposit", word("acs")}, {"q0", 0.5}, {"evaporation", 0.1}, {"local_search", word("none")}}},
+       .values = {{"deposit", word("acs")},
+                  {"q0", 0.5},
+                  {"evaporation", 0.1},
+                  {"first_route", word("greedy")},
+                  {"local_search", word("none")}}},
       {.name = "no-pheromone",
        .help = "The published walks with tau = 1 always: what pheromone has to beat.",
        .values = published({{"deposit", word("none")}, {"alpha", whole(0)}})},

@@ -42,7 +42,12 @@ TEST(LabelSettingPlanner, RefusesWhatItCannotHonour) {
   };
   const auto contains = [](const std::string& text, const char* word) { return text.find(word) != std::string::npos; };
   EXPECT_TRUE(contains(with([](Site& s) { s.navigation.reset(); }), "navigation"));
-  EXPECT_TRUE(contains(with([](Site& s) { s.navigation->turn_model = TurnModel::arc_tangent; }), "turn_model"));
+  const auto turning = [](Site& s) {
+    s.navigation->turn_model = TurnModel::arc_tangent;
+    s.navigation->turn_radius_m = 50;
+    s.vehicle.turn_radius_m = 100;
+  };
+  EXPECT_TRUE(contains(with(turning), "turn_radius_m"));
   EXPECT_TRUE(contains(with([](Site& s) { s.vehicle.turn_radius_m = 100; }), "turn_radius_m"));
   EXPECT_TRUE(contains(with([](Site& s) { s.scenario.objective.climb = 2; }), "climb"));
   EXPECT_TRUE(
