@@ -1,15 +1,13 @@
 #include "plan/attitude_aco_parameters.hpp"
 
 #include "plan/attitude_plan.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
 namespace {
 
 constexpr const char* kPaper = "Konatowski, Pawlowski 2019, section 4";
-
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
 
 std::vector<Parameter> walk_parameters() {
   return {

@@ -1,13 +1,11 @@
 #include "plan/correction_aco_parameters.hpp"
 
 #include "plan/correction_parameters.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
 namespace {
-
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
 
 std::vector<Parameter> walk_parameters() {
   return {
