@@ -174,7 +174,7 @@ std::vector<Parameter> search_parameters() {
        .min = 0,
        .max = 10,
        .help = "Passes of beam search before the ants, each counted as an iteration; 0: 3 under the konatowski2019 "
-               "objective in open air, 4 elsewhere.",
+               "objective in open air (1 where the greedy walk does not arrive), 4 elsewhere.",
        .source = "Blum 2005 (Beam-ACO)"},
       {.name = "local_search",
        .default_value = word("action-string"),
