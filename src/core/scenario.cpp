@@ -7,7 +7,8 @@ namespace alate {
 namespace {
 
 auto asked(const Scenario& s) {
-  return std::tie(s.frame, s.terrain, s.start, s.goal, s.vehicle, s.threats, s.objective, s.navigation, s.planner);
+  return std::tie(s.frame, s.terrain, s.grid, s.start, s.goal, s.vehicle, s.threats, s.objective, s.navigation,
+                  s.planner);
 }
 
 }  // namespace

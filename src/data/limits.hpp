@@ -19,6 +19,13 @@ inline constexpr std::size_t kMaxPointsBytes = 268'435'456;  ///< 256 MiB of cor
 inline constexpr std::size_t kMaxPoints = 4'000'000;         ///< Correction points, start and end among them.
 inline constexpr int kMaxPointId = 99'999'999;               ///< Ids of correction points start at 0.
 
+inline constexpr std::size_t kMaxGridBytes = 33'554'432;  ///< 32 MiB of a grid map.
+inline constexpr int kMaxGridSide = 10'000;               ///< Columns; rows.
+inline constexpr std::int64_t kMaxGridCells = 16'000'000;
+inline constexpr int kMaxGridSeed = 2'000'000'000;
+inline constexpr double kLeastCell = 0.01;   ///< m
+inline constexpr double kMostCell = 10'000;  ///< m
+
 inline constexpr std::int64_t kMaxRasterCells = 150'000'000;
 /// Raster heights outside these are no ground on Earth but voids that nobody marked as such.
 inline constexpr double kLowestGround = -12'000;  ///< m

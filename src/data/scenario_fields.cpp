@@ -11,6 +11,8 @@ namespace {
 const Range kLatitude = from_to(-90, 90);
 const Range kLongitude = from_to(-180, 180);
 const Range kPointId = from_to(0, kMaxPointId);
+const Range kSide = from_to(1, kMaxGridSide);
+const Range kCell = from_to(0, kMaxGridSide - 1);
 
 // Declared first: the groups below name each other.
 Description describe(GeoPoint& point);
@@ -19,6 +21,8 @@ Description describe(CylinderSpec& cylinder);
 Description describe(ThreatSpec& threat);
 Description describe(FrameSpec& frame);
 Description describe(TerrainSpec& terrain);
+Description describe(RandomGridSpec& random);
+Description describe(GridSpec& grid);
 Description describe(StartSpec& start);
 Description describe(GoalSpec& goal);
 Description describe(VehicleSpec& vehicle);
@@ -50,8 +54,8 @@ Description describe(FrameSpec& frame) {
                          !frame.origin && !frame.local,
                          field("crs", "",
                                "\"auto\" takes the UTM zone of the midpoint of start and goal, which must have lat and "
-                               "lon, or a local frame if `navigation` is given and all is in metres; else any "
-                               "projected CRS in metres, such as \"EPSG:21781\".",
+                               "lon, or a local frame if `grid` is given, or `navigation` and all is in metres; else "
+                               "any projected CRS in metres, such as \"EPSG:21781\".",
                                text(frame.crs))),
                      field("origin", "", "A transverse Mercator of scale 1 around this point, which becomes (0, 0).",
                            group(frame.origin)),
@@ -90,14 +94,36 @@ Description describe(PeakSpec& peak) {
                                     numbers(peak.slope_m, above(0))))}};
 }
 
+Description describe(RandomGridSpec& random) {
+  return {.fields = {
+              required(field("size", "cells", "Columns and rows.", whole_numbers(random.size, kSide))),
+              field("obstacles", "", "Chance of each cell to be blocked; start and goal are kept free.",
+                    number(random.obstacles, from_to(0, 1))),
+              field("seed", "", "The same seed draws the same cells.", whole(random.seed, from_to(0, kMaxGridSeed)))}};
+}
+
+Description describe(GridSpec& grid) {
+  return {.fields = {field("map", "", "Map in the format of the Moving AI benchmarks; relative to this file.",
+                           text(grid.map, Text::Use::path)),
+                     field("random", "", "Cells drawn at random.", group(grid.random)),
+                     field("heights", "",
+                           "Height of each cell. peaks: the absolute value of MATLAB's peaks over the whole grid, "
+                           "rotated by 90 degrees (Yin et al. 2021).",
+                           choice(grid.heights, {"flat", "peaks"})),
+                     field("cell_m", "m", "Side of a cell.", number(grid.cell_m, from_to(kLeastCell, kMostCell)))},
+          .one_of = {{"map"}, {"random"}}};
+}
+
 Description describe_place(PlaceSpec& place) {
   return {.fields = {field("position_m", "m", "x east, y north in the frame, z above mean sea level.",
                            numbers(place.position_m)),
+                     field("cell", "", "Column and row of a cell of `grid`; [0, 0] is the upper left.",
+                           whole_numbers(place.cell, kCell)),
                      field("lat", "deg", "Latitude, WGS 84.", number(place.lat_deg, kLatitude)),
                      field("lon", "deg", "Longitude, WGS 84.", number(place.lon_deg, kLongitude)),
                      field("amsl_m", "m", "Height above mean sea level.", number(place.amsl_m)),
                      field("agl_m", "m", "Height above ground; needs terrain.", number(place.agl_m))},
-          .one_of = {{"position_m"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}}};
+          .one_of = {{"position_m"}, {"cell"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}}};
 }
 
 Description describe(StartSpec& start) {
@@ -252,6 +278,11 @@ Description describe(Scenario& scenario) {
       .fields = {
           field("frame", "", "The one metric frame the route is planned in.", group(scenario.frame)),
           field("terrain", "", "The ground and the band above it.", group(scenario.terrain)),
+          field("grid", "",
+                "Free and blocked cells in place of terrain, in a local frame with (0, 0) at the lower left corner. "
+                "Start and goal are cells, and routes lie at z = 0. A blocked cell is ground of endless height for the "
+                "rule terrain_clearance: a leg may run along one side of it, but neither enter it nor cut its corner.",
+                group(scenario.grid)),
           written_if(scenario.start.place.given(),
                      required_unless("navigation",
                                      field("start", "",

@@ -50,6 +50,7 @@ struct Numbers {
   std::function<void(const std::vector<double>&)> set;
   Range range;
   std::size_t count = 0;  ///< 0: from 1 to kMaxAngles.
+  bool whole = false;
 };
 struct Choice {
   std::vector<std::string> words;

@@ -67,7 +67,7 @@ class Manual {
   }
   static Cells cells_of(const Numbers& slot) {
     const std::string count = slot.count > 0 ? fmt::format("{}", slot.count) : fmt::format("1 to {}", kMaxAngles);
-    return {fmt::format("list of {} numbers", count), "", slot.range.text()};
+    return {fmt::format("list of {} {}numbers", count, slot.whole ? "whole " : ""), "", slot.range.text()};
   }
   static Cells cells_of(const Choice& slot) {
     return {"word", slot.words[slot.value], fmt::format("{}", fmt::join(slot.words, ", "))};
@@ -93,8 +93,10 @@ std::string limits() {
   return fmt::format(
       "\n## Limits\n\n| what | at most |\n|---|---|\n"
       "| bytes of a file | {} |\n| groups and lists within each other | {} |\n| threats, peaks | {} each |\n"
+      "| cells of a grid; columns, rows | {}; {} each |\n"
       "| angles in one list | {} |\n| rolls times pitches times yaws | {} |\n| any number | {} either side of 0 |\n",
-      kMaxScenarioBytes, kMaxNesting, kMaxListItems, kMaxAngles, kMaxAttitudeMoves, kMaxMagnitude);
+      kMaxScenarioBytes, kMaxNesting, kMaxListItems, kMaxGridCells, kMaxGridSide, kMaxAngles, kMaxAttitudeMoves,
+      kMaxMagnitude);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ class Rules {
   }
 
   void check_terrain();
+  void check_grid();
   void check_places();
   void check_vehicle();
   void check_threats();
@@ -73,6 +74,28 @@ void Rules::check_terrain() {
   }
 }
 
+void Rules::check_grid() {
+  const bool gridded = scenario_.grid.has_value();
+  for (const std::string path : {"start", "goal"}) {
+    if (!gridded && given(path + ".cell")) report(path + ".cell", {.message = "needs a grid"});
+    if (gridded && given(path) && !given(path + ".cell") && sound(path + ".cell"))
+      report(path, {.limit = "{cell: [column, row]}", .message = "must be a cell of the grid"});
+  }
+  if (!gridded) return;
+  for (const std::string path : {"terrain", "navigation", "frame.origin"}) {
+    if (given(path)) report(path, {.message = "cannot stand beside a grid"});
+  }
+  if (scenario_.frame.crs != "auto") report("frame.crs", {.message = "a grid lies in a local frame"});
+  if (!scenario_.grid->random || !sound("grid.random.size")) return;
+  const auto& [columns, rows] = scenario_.grid->random->size;
+  if (const std::int64_t cells = std::int64_t{columns} * rows; cells > kMaxGridCells) {
+    report("grid.random.size", {.value = fmt::format("{}", cells),
+                                .limit = fmt::format("<= {}", kMaxGridCells),
+                                .unit = "cells",
+                                .message = "too large"});
+  }
+}
+
 /// lat and lon mean nothing in a local frame.
 void Rules::check_ground_frame(const std::string& path, bool geographic) {
   if (!geographic || !scenario_.frame.local) return;
@@ -85,6 +108,7 @@ void Rules::check_above_ground(const std::string& path) {
 }
 
 void Rules::check_places() {
+  if (scenario_.grid) return;
   const bool automatic =
       !scenario_.frame.origin && !scenario_.frame.local && scenario_.frame.crs == "auto" && !scenario_.navigation;
   for (const std::string path : {"start", "goal"}) {
@@ -176,6 +200,7 @@ void Rules::check_navigation() {
 void check_rules(const Scenario& scenario, std::vector<Fault>& faults) {
   Rules rules(scenario, faults);
   rules.check_terrain();
+  rules.check_grid();
   rules.check_places();
   rules.check_vehicle();
   rules.check_threats();

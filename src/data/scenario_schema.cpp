@@ -35,8 +35,10 @@ Json schema_of(const Number& slot) {
   return json;
 }
 Json schema_of(const Numbers& slot) {
+  Json item = number_schema(slot.range);
+  if (slot.whole) item["type"] = "integer";
   return {{"type", "array"},
-          {"items", number_schema(slot.range)},
+          {"items", item},
           {"minItems", slot.count > 0 ? slot.count : 1},
           {"maxItems", slot.count > 0 ? slot.count : kMaxAngles}};
 }

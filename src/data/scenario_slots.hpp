@@ -18,7 +18,9 @@ Number number(Value& value, Range range = {}) {
   return {.value = value, .set = [&value](double given) { value = given; }, .range = range};
 }
 
-inline Number whole(std::optional<int>& value, Range range) {
+/// An int or an optional one.
+template <class Value>
+Number whole(Value& value, Range range) {
   return {.value = value,
           .set = [&value](double given) { value = static_cast<int>(given); },
           .range = range,
@@ -41,6 +43,28 @@ Numbers numbers(std::optional<std::array<double, N>>& value, Range range = {}) {
           .set = [&value](const std::vector<double>& given) { std::ranges::copy(given, value.emplace().begin()); },
           .range = range,
           .count = N};
+}
+
+inline std::array<int, 2> whole_pair(const std::vector<double>& given) {
+  return {static_cast<int>(given[0]), static_cast<int>(given[1])};
+}
+
+inline Numbers whole_numbers(std::array<int, 2>& value, Range range) {
+  return {.value = {value.begin(), value.end()},
+          .set = [&value](const std::vector<double>& given) { value = whole_pair(given); },
+          .range = range,
+          .count = 2,
+          .whole = true};
+}
+
+inline Numbers whole_numbers(std::optional<std::array<int, 2>>& value, Range range) {
+  std::vector<double> present;
+  if (value) present.assign(value->begin(), value->end());
+  return {.value = std::move(present),
+          .set = [&value](const std::vector<double>& given) { value = whole_pair(given); },
+          .range = range,
+          .count = 2,
+          .whole = true};
 }
 
 inline Numbers numbers(std::vector<double>& value, Range range) {

@@ -75,6 +75,13 @@ std::optional<double> finite_number(const Value& value, const Range& range, Find
   return std::nullopt;
 }
 
+/// Also true where no whole number is `asked` for.
+bool is_whole(const Value& value, double number, bool asked, Findings& findings) {
+  if (!asked || number == std::floor(number)) return true;
+  findings.report(value, "must be a whole number");
+  return false;
+}
+
 std::string resolved(const Node& node, const std::string& file) {
   const std::filesystem::path path = node.text;
   if (path.is_absolute() || node.place.line == 0) return node.text;
@@ -101,9 +108,7 @@ void read_value(const Value& value, const Flag& slot, Findings& findings) {
 
 void read_value(const Value& value, const Number& slot, Findings& findings) {
   const auto number = finite_number(value, slot.range, findings);
-  if (!number) return;
-  if (slot.whole && *number != std::floor(*number)) return findings.report(value, "must be a whole number");
-  slot.set(*number);
+  if (number && is_whole(value, *number, slot.whole, findings)) slot.set(*number);
 }
 
 void read_value(const Value& value, const Numbers& slot, Findings& findings) {
@@ -115,7 +120,9 @@ void read_value(const Value& value, const Numbers& slot, Findings& findings) {
     const Node& child = value.node.children[i];
     const std::string path = join(value.path, std::to_string(i));
     findings.mark(path, child.place);
-    if (const auto number = finite_number({child, path, value.field}, slot.range, findings)) numbers.push_back(*number);
+    const Value item{child, path, value.field};
+    const auto number = finite_number(item, slot.range, findings);
+    if (number && is_whole(item, *number, slot.whole, findings)) numbers.push_back(*number);
   }
   if (numbers.size() == value.node.children.size()) slot.set(numbers);
 }

@@ -7,6 +7,7 @@
 #include "data/raster_extent.hpp"
 #include "data/site_faults.hpp"
 #include "data/site_frame.hpp"
+#include "data/site_grid.hpp"
 #include "data/site_navigation.hpp"
 #include "data/site_places.hpp"
 
@@ -66,6 +67,10 @@ void judge_against_extent(const Scenario& scenario, SiteFaults& faults) {
 
 /// False if the ground cannot be read.
 bool read_ground(Site& site, SiteFaults& faults) {
+  if (site.scenario.grid) {
+    site.grid = read_grid(site.scenario, faults);
+    return site.grid.has_value();
+  }
   if (!site.scenario.terrain) return true;
   const TerrainSpec& spec = *site.scenario.terrain;
   site.band = {

@@ -54,7 +54,7 @@ Frame automatic(const Scenario& scenario, const GivenPoints& points) {
 
 std::optional<Frame> choose_frame(const Scenario& scenario, const GivenPoints& points, SiteFaults& faults) {
   const FrameSpec& spec = scenario.frame;
-  if (spec.local) return Frame::local();
+  if (spec.local || scenario.grid) return Frame::local();
   const std::string field = spec.origin ? "frame.origin" : "frame.crs";
   try {
     if (spec.origin) return Frame::at_origin(*spec.origin);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "data/raster_extent.hpp"
+#include "data/site_grid.hpp"
 
 namespace alate {
 
@@ -117,6 +118,7 @@ void judge_height(const Site& site, const Vec3& position, const std::string& fie
 }  // namespace
 
 std::optional<Vec3> locate(const Site& site, const PlaceSpec& place, const std::string& field, SiteFaults& faults) {
+  if (place.cell) return locate_cell(*site.grid, *place.cell, field + ".cell", faults);
   const auto xy = locate_plane(site, place, field, faults);
   if (!xy) return std::nullopt;
   if (place.position_m) return Vec3{xy->x(), xy->y(), (*place.position_m)[2]};

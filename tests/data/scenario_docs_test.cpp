@@ -40,8 +40,9 @@ TEST(ScenarioSchema, HoldsEveryKeyWithTypeLimitsAndMeaning) {
   const std::map<std::string, std::vector<std::string>> keys{
       {"frame", {"crs", "origin", "local"}},
       {"terrain", {"dem", "peaks", "combine", "extent_m", "clearance_m", "ceiling_agl_m", "ceiling_amsl_m"}},
-      {"start", {"position_m", "lat", "lon", "amsl_m", "agl_m", "heading_deg"}},
-      {"goal", {"position_m", "lat", "lon", "amsl_m", "agl_m", "tolerance_m"}},
+      {"grid", {"map", "random", "heights", "cell_m"}},
+      {"start", {"position_m", "cell", "lat", "lon", "amsl_m", "agl_m", "heading_deg"}},
+      {"goal", {"position_m", "cell", "lat", "lon", "amsl_m", "agl_m", "tolerance_m"}},
       {"vehicle",
        {"speed_mps", "turn_radius_m", "climb_deg", "descent_deg", "range_m", "step_m", "roll_deg", "pitch_deg",
         "yaw_deg"}},

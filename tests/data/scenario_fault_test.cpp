@@ -38,8 +38,8 @@ Wrong changed(const std::string& from, const std::string& to, const std::string&
 TEST(ScenarioFault, Keys) {
   expect_faults({
       added("vehicel: {}", "s.yaml:6:1: vehicel: unknown key; did you mean vehicle?"),
-      added("grid: {map: x}",
-            "s.yaml:6:1: grid: unknown key (allowed frame, terrain, start, goal, vehicle, threats, objective, "
+      added("lattice: {map: x}",
+            "s.yaml:6:1: lattice: unknown key (allowed frame, terrain, grid, start, goal, vehicle, threats, objective, "
             "navigation, planner)"),
       added("goal: {lat: 1}", "s.yaml:6:1: goal: given twice, first in line 5"),
       added("vehicle: {range_m: 1, range_m: 2}", "s.yaml:6:23: vehicle.range_m: given twice, first in line 6"),
@@ -107,7 +107,7 @@ TEST(ScenarioFault, Numbers) {
 }
 
 TEST(ScenarioFault, KeysThatDoNotGoTogether) {
-  const std::string place = "position_m | lat, lon, amsl_m | lat, lon, agl_m";
+  const std::string place = "position_m | cell | lat, lon, amsl_m | lat, lon, agl_m";
   const std::string one = "needs exactly one of these sets of keys";
   expect_faults({
       {test::with(kSmallScenario, "local: true", "local: true\n  crs: auto"),

@@ -19,13 +19,14 @@ class Generator {
     frame(s.frame);
     const bool placed = s.frame.local || s.frame.origin;
     if (coin()) s.terrain = terrain(placed);
+    if (!s.terrain && !s.frame.origin && s.frame.crs == "auto" && coin()) s.grid = grid();
     s.start.place = place(s);
     maybe(s.start.heading_deg, -360, 360);
     s.goal = {.place = place(s), .tolerance_m = number(0, 1000)};
     s.vehicle = vehicle();
     for (int i = pick(4); i > 0; --i) s.threats.push_back(threat(s));
     objective(s.objective);
-    if (coin()) s.navigation = navigation(s);
+    if (!s.grid && coin()) s.navigation = navigation(s);
     if (coin())
       s.planner = PlannerSpec{.name = word(), .preset = coin() ? word() : "", .parameters = {{word(), word()}}};
     return s;
@@ -76,7 +77,18 @@ class Generator {
     maybe(t.ceiling_amsl_m, -100, 5000);
     return t;
   }
+  GridSpec grid() {
+    GridSpec g{.heights = coin() ? GridHeights::flat : GridHeights::peaks, .cell_m = number(0.01, 10'000)};
+    if (coin()) {
+      g.map = "folder/" + word();
+    } else {
+      g.random =
+          RandomGridSpec{.size = {1 + pick(4000), 1 + pick(4000)}, .obstacles = number(0, 1), .seed = pick(9999)};
+    }
+    return g;
+  }
   PlaceSpec place(const Scenario& s) {
+    if (s.grid) return {.cell = {{pick(10'000), pick(10'000)}}};
     const bool automatic = !s.frame.local && !s.frame.origin && s.frame.crs == "auto";
     if (s.frame.local || (!automatic && coin())) return {.position_m = position<3>()};
     PlaceSpec p{.lat_deg = number(-90, 90), .lon_deg = number(-180, 180)};
@@ -128,7 +140,7 @@ class Generator {
     t.core_m = coin() ? 0 : t.radius_m * number(0, 1);
     if (coin()) {
       t.cylinder = CylinderSpec{.floor_m = number(-9, 9), .top_m = number(10, 99)};
-      if (s.frame.local || coin()) {
+      if (s.frame.local || s.grid || coin()) {
         t.cylinder->center_m = position<2>();
       } else {
         t.cylinder->lat_deg = number(-90, 90);
@@ -136,13 +148,17 @@ class Generator {
       }
       return t;
     }
-    const PlaceSpec p = place(s);
+    const PlaceSpec p = place_of_threat(s);
     t.center_m = p.position_m;
     t.lat_deg = p.lat_deg;
     t.lon_deg = p.lon_deg;
     t.amsl_m = p.amsl_m;
     t.agl_m = p.agl_m;
     return t;
+  }
+  PlaceSpec place_of_threat(const Scenario& s) {
+    if (s.grid) return {.position_m = position<3>()};
+    return place(s);
   }
   void objective(ObjectiveSpec& o) {
     if (coin()) {

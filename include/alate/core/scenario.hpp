@@ -42,15 +42,41 @@ struct TerrainSpec {
   bool operator==(const TerrainSpec&) const = default;
 };
 
-/// A place given in the frame (`position_m`) or in WGS 84 with a height above sea level or ground.
+/// Cells drawn at random: each is blocked with probability `obstacles`, start and goal never.
+struct RandomGridSpec {
+  std::array<int, 2> size{};  ///< Columns, rows.
+  double obstacles = 0.2;
+  int seed = 1;
+
+  bool operator==(const RandomGridSpec&) const = default;
+};
+
+enum class GridHeights {
+  flat,
+  peaks  ///< |MATLAB's peaks|, rotated by 90 degrees (Yin et al. 2021).
+};
+
+/// A grid of free and blocked cells, from a file or drawn.
+struct GridSpec {
+  std::string map;  ///< Moving AI map, already resolved against the scenario's folder; empty if drawn.
+  std::optional<RandomGridSpec> random;
+  GridHeights heights = GridHeights::flat;
+  double cell_m = 1;
+
+  bool operator==(const GridSpec&) const = default;
+};
+
+/// A place given in the frame (`position_m`), as a cell of the grid, or in WGS 84 with a height above sea level or
+/// ground.
 struct PlaceSpec {
   std::optional<std::array<double, 3>> position_m;
+  std::optional<std::array<int, 2>> cell;  ///< Column, row; (0, 0) is the upper left.
   std::optional<double> lat_deg;
   std::optional<double> lon_deg;
   std::optional<double> amsl_m;
   std::optional<double> agl_m;
 
-  bool given() const { return position_m || lat_deg; }
+  bool given() const { return position_m || cell || lat_deg; }
   bool operator==(const PlaceSpec&) const = default;
 };
 
@@ -182,6 +208,7 @@ struct Mark {
 struct Scenario {
   FrameSpec frame;
   std::optional<TerrainSpec> terrain;
+  std::optional<GridSpec> grid;
   StartSpec start;
   GoalSpec goal;
   VehicleSpec vehicle;

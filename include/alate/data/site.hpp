@@ -9,6 +9,7 @@
 
 #include "alate/core/frame.hpp"
 #include "alate/core/scenario.hpp"
+#include "alate/data/height_grid.hpp"
 #include "alate/data/height_raster.hpp"
 #include "alate/data/peaks.hpp"
 
@@ -92,6 +93,7 @@ struct Site {
   Scenario scenario;
   Frame frame = Frame::local();
   std::variant<std::monostate, HeightRaster, PeakGround> ground;
+  std::optional<HeightGrid> grid;
   Band band;
   Mission mission;
   Vehicle vehicle;

@@ -1,0 +1,194 @@
+#include "data/grid_map.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <string_view>
+
+#include "data/limits.hpp"
+#include "data/scenario_text.hpp"
+#include "data/text_file.hpp"
+
+namespace alate {
+
+namespace {
+
+constexpr std::string_view kLetters = ".GS@OTW";
+constexpr std::size_t kFree = 3;  ///< So many of them are free.
+
+/// Reads the lines of one file.
+class Reader {
+ public:
+  Reader(const std::string& file, std::vector<Fault>& faults) : file_(file), faults_(faults), earlier_(faults.size()) {}
+
+  std::optional<HeightGrid> read(std::string_view text);
+
+ private:
+  void refuse(Fault fault);
+  /// False at the end of the file. Lines of blanks are passed over.
+  bool next_line();
+  bool is_text(std::string_view text);
+  void read_header();
+  void read_key(std::string_view key, std::string_view value);
+  void read_side(std::string_view key, std::string_view value, int& side);
+  void read_rows();
+  void read_row();
+  void judge_size();
+
+  const std::string& file_;
+  std::vector<Fault>& faults_;
+  std::size_t earlier_;  ///< Faults of other files.
+  std::size_t uncounted_ = 0;
+  std::string_view rest_;
+  std::string_view line_;
+  int number_ = 0;  ///< Of the line.
+  int rows_ = 0;    ///< Read so far.
+  bool headed_ = false;
+  bool sized_ = true;
+  HeightGrid grid_;
+};
+
+void Reader::refuse(Fault fault) {
+  if (faults_.size() - earlier_ >= kMaxFaults) {
+    ++uncounted_;
+    return;
+  }
+  fault.file = file_;
+  faults_.push_back(std::move(fault));
+}
+
+bool Reader::next_line() {
+  while (!rest_.empty()) {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+    line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
+bool Reader::is_text(std::string_view text) {
+  const auto binary = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || is_control(c); };
+  const auto found = std::ranges::find_if(text, binary);
+  if (found == text.end()) return true;
+  const std::string_view before(text.begin(), found);
+  refuse({.line = static_cast<int>(std::ranges::count(before, '\n')) + 1,
+          .column = static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1,
+          .message = "is not a text file"});
+  return false;
+}
+
+void Reader::read_side(std::string_view key, std::string_view value, int& side) {
+  const char* end = std::to_address(value.end());
+  const auto [stopped, error] = std::from_chars(std::to_address(value.begin()), end, side);
+  if (stopped == end && error == std::errc{} && side >= 1 && side <= kMaxGridSide) return;
+  sized_ = false;
+  refuse({.line = number_,
+          .column = static_cast<int>(key.size()) + 2,
+          .field = std::string(key),
+          .value = shortened(std::string(value)),
+          .limit = fmt::format("1 to {}", kMaxGridSide),
+          .unit = "cells",
+          .message = "must be a whole number in range"});
+}
+
+void Reader::read_key(std::string_view key, std::string_view value) {
+  if (key == "height") return read_side(key, value, grid_.rows);
+  if (key == "width") return read_side(key, value, grid_.columns);
+  if (key == "type" && value == "octile") return;
+  refuse({.line = number_,
+          .column = 1,
+          .value = shortened(std::string(line_)),
+          .limit = "type octile | height N | width N | map",
+          .message = "unknown line of the header"});
+}
+
+void Reader::read_header() {
+  const auto is_row = [&] { return line_.find_first_not_of(kLetters) == std::string_view::npos; };
+  bool more = next_line();
+  for (; more && line_ != "map" && !is_row(); more = next_line()) {
+    const std::size_t blank = line_.find(' ');
+    read_key(line_.substr(0, blank), blank == std::string_view::npos ? "" : line_.substr(blank + 1));
+  }
+  headed_ = more && line_ == "map";
+  if (!headed_) refuse({.line = number_, .limit = "map", .message = "the last line of the header is missing"});
+}
+
+void Reader::judge_size() {
+  for (const auto& [key, side] : {std::pair{"height", grid_.rows}, std::pair{"width", grid_.columns}}) {
+    if (side == 0 && sized_) refuse({.line = 1, .field = key, .message = "is missing in the header"});
+  }
+  const std::int64_t cells = std::int64_t{grid_.rows} * grid_.columns;
+  sized_ = sized_ && cells > 0 && cells <= kMaxGridCells;
+  if (cells <= kMaxGridCells) return;
+  refuse({.line = 1,
+          .value = fmt::format("{}", cells),
+          .limit = fmt::format("<= {}", kMaxGridCells),
+          .unit = "cells",
+          .message = "too many cells"});
+}
+
+void Reader::read_row() {
+  if (line_.size() != static_cast<std::size_t>(grid_.columns)) {
+    refuse({.line = number_,
+            .column = static_cast<int>(std::min(line_.size(), static_cast<std::size_t>(grid_.columns))) + 1,
+            .value = fmt::format("{}", line_.size()),
+            .limit = fmt::format("{}", grid_.columns),
+            .unit = "cells",
+            .message = "the row is not as long as `width` says"});
+  }
+  for (std::size_t i = 0; i < line_.size(); ++i) {
+    const std::size_t letter = kLetters.find(line_[i]);
+    grid_.blocked.push_back(letter < kFree ? 0 : 1);
+    if (letter != std::string_view::npos) continue;
+    refuse({.line = number_,
+            .column = static_cast<int>(i) + 1,
+            .value = std::string(1, line_[i]),
+            .limit = ". G S (free) | @ O T W (blocked)",
+            .message = "unknown cell"});
+  }
+}
+
+void Reader::read_rows() {
+  while (next_line()) {
+    if (++rows_ <= grid_.rows) read_row();
+  }
+  if (rows_ == grid_.rows) return;
+  refuse({.line = number_,
+          .value = fmt::format("{}", rows_),
+          .limit = fmt::format("{}", grid_.rows),
+          .unit = "rows",
+          .message = "there are not as many rows as `height` says"});
+}
+
+std::optional<HeightGrid> Reader::read(std::string_view text) {
+  rest_ = text;
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    refuse({.message = "the file is empty"});
+  } else if (is_text(text)) {
+    read_header();
+    judge_size();
+    if (headed_ && sized_) read_rows();
+  }
+  if (uncounted_ > 0)
+    faults_.push_back({.file = file_, .line = number_, .message = fmt::format("and {} more faults", uncounted_)});
+  if (faults_.size() > earlier_) return std::nullopt;
+  return std::move(grid_);
+}
+
+}  // namespace
+
+std::optional<HeightGrid> read_grid_map(const std::string& file, std::vector<Fault>& faults) {
+  try {
+    return Reader(file, faults).read(read_text_file(file, kMaxGridBytes));
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    return std::nullopt;
+  }
+}
+
+}  // namespace alate
