@@ -59,6 +59,10 @@ std::string describe(const Site& site, const Metrics& metrics) {
   text += row("exposure", fmt::format("{:.2f}{} to threats", metrics.threat, cost_unit(site)));
   if (metrics.corrections) text += row("corrections", fmt::format("{}", *metrics.corrections));
   if (metrics.probability) text += row("success", fmt::format("{:.2f} %", 100 * *metrics.probability));
+  if (const auto& grid = metrics.grid) {
+    text += row("grid", fmt::format("{} turns, deviation of height {:.4f} m, composite index {:.2f}", grid->turns,
+                                    grid->height_deviation_m, composite_index(*grid)));
+  }
   if (metrics.min_clearance_m)
     text += row("clearance", fmt::format("{:.1f} m above ground at the lowest", *metrics.min_clearance_m));
   return text;
@@ -89,6 +93,10 @@ std::string describe(const Result& result) {
 }
 
 std::string height_note(const Site& site) {
+  if (site.grid) {
+    return "The route lies in the plane of the grid; heights are marks of its cells.\n"
+           "Planning help, not clearance to fly.\n";
+  }
   std::string text = "Heights are metres above mean sea level";
   if (const auto* raster = std::get_if<HeightRaster>(&site.ground))
     text += fmt::format("; terrain {}, {:.0f} m cells, datum {}", raster->name, raster->cell_m, raster->datum);

@@ -130,13 +130,13 @@ class Colony {
     return result;
   }
 
+  Ant best_;
+  const Ant nobody_;  ///< Where no ant of an iteration arrived.
   const Space& space_;
   Policies policies_;
   std::uint64_t iterations_;
   Walk walk_;
   std::vector<Ant> ants_;
-  Ant best_;
-  const Ant nobody_;  ///< Where no ant of an iteration arrived.
   std::vector<IterationStats> history_;
   std::uint64_t moves_ = 0;
 };

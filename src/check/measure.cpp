@@ -4,6 +4,7 @@
 #include "check/corrections.hpp"
 #include "check/exposure.hpp"
 #include "check/flight.hpp"
+#include "check/grid_measures.hpp"
 #include "check/leg_shape.hpp"
 #include "check/success_chance.hpp"
 
@@ -62,6 +63,7 @@ Metrics measure(const Site& site, const Route& route) {
   }
   metrics.cost = nodes_only ? node_cost(site, route, metrics.threat) : physical_cost(site, metrics);
   metrics.min_clearance_m = min_clearance(site, route);
+  if (site.grid) metrics.grid = grid_measures(*site.grid, route);
   if (site.navigation) measure_corrections(*site.navigation, route, metrics);
   return metrics;
 }

@@ -6,8 +6,14 @@
 
 namespace alate {
 
-/// Lowest height above ground of each leg, at least the band's clearance.
+/// Lowest height above ground of each leg, at least the band's clearance. On a grid a blocked cell is ground of endless
+/// height, see judge_blocked_cells.
 RuleReport judge_terrain_clearance(const Flight& flight);
+
+/// Counts, leg by leg, where the route touches blocked cells: flies through the inside of one or along the common side
+/// of two, or changes cells across a corner of one (no corner cutting). A route may run along one side of a blocked
+/// cell. Part of terrain_clearance; what lies outside the grid is left to `bounds`.
+void judge_blocked_cells(const Flight& flight, RuleReport& report);
 
 /// Highest height of each leg, at most the ceilings above ground and above sea level; the worse of both.
 RuleReport judge_ceiling(const Flight& flight);
@@ -33,8 +39,8 @@ RuleReport judge_descent(const Flight& flight);
 /// each leg with what its action gives. Every action must be one of the scenario's.
 RuleReport judge_step(const Flight& flight);
 
-/// Each leg inside the outermost posts, or the extent of the peaks; metres to the nearest edge. The area is convex,
-/// so the ends of the pieces suffice.
+/// Each leg inside the outermost posts, the extent of the peaks or the grid; metres to the nearest edge. The area is
+/// convex, so the ends of the pieces suffice.
 RuleReport judge_bounds(const Flight& flight);
 
 /// The last state within the goal's tolerance, the first within 1 m of the start (reported only if it is not). Each

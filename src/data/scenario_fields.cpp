@@ -280,7 +280,8 @@ Description describe(Scenario& scenario) {
           field("terrain", "", "The ground and the band above it.", group(scenario.terrain)),
           field("grid", "",
                 "Free and blocked cells in place of terrain, in a local frame with (0, 0) at the lower left corner. "
-                "Start and goal are cells, and routes lie at z = 0.",
+                "Start and goal are cells, and routes lie at z = 0. A blocked cell is ground of endless height for the "
+                "rule terrain_clearance: a leg may run along one side of it, but neither enter it nor cut its corner.",
                 group(scenario.grid)),
           written_if(scenario.start.place.given(),
                      required_unless("navigation",

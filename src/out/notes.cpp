@@ -81,11 +81,22 @@ GroundNote ground_note(const Site& site) {
             .terrain = fmt::format("{} analytic {}", peaks->peaks.size(), peaks->peaks.size() == 1 ? "hill" : "hills"),
             .datum = "heights as given in the scenario"};
   }
+  if (site.grid) {
+    return {.kind = "grid",
+            .terrain = fmt::format("grid of {} x {} cells", site.grid->columns, site.grid->rows),
+            .cell_m = site.grid->cell_m};
+  }
   return {.kind = "none"};
 }
 
 std::string notice(const Site& site) {
   const GroundNote ground = ground_note(site);
+  if (site.grid) {
+    return fmt::format(
+        "Planning help, not clearance to fly. The ground is a {}, {:.3g} m wide, free or blocked; the route lies in "
+        "their plane, and heights are marks of the cells.",
+        ground.terrain, site.grid->cell_m);
+  }
   std::string text = "Planning help, not clearance to fly. Heights are metres above mean sea level";
   if (!ground.datum.empty()) text += fmt::format(" (vertical datum of the terrain: {})", ground.datum);
   text += ". ";

@@ -11,7 +11,7 @@ namespace alate {
 
 /// Where the ground heights come from. Empty strings where there is no ground.
 struct GroundNote {
-  std::string kind;  ///< "raster", "peaks" or "none".
+  std::string kind;  ///< "raster", "peaks", "grid" or "none".
   std::string terrain;
   std::string crs;
   std::string datum;

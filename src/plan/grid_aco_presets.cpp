@@ -1,12 +1,10 @@
 // The presets of grid-aco: rows of values.
 #include "plan/grid_aco_parameters.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
 namespace {
-
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
 
 /// Table 1 of Yin et al. 2021 was not available; it says that the baseline's values were altered by trial. Both presets
 /// have the baseline's [C], so that only mu differs.
@@ -46,7 +44,8 @@ std::map<std::string, ParamValue> textbook(std::map<std::string, ParamValue> val
 std::vector<Preset> grid_aco_presets() {
   return {
       {.name = "improved",
-       .help = "MAX-MIN Ant System for length: ants see the goal, step back and follow the best; shortcuts by sight."},
+       .help = "MAX-MIN Ant System for length: ants see the goal, step back and follow the best; shortcuts by sight.",
+       .values = {{"trail_ratio", 100.0}}},
       {.name = "li2019",
        .help = "Li et al. 2019: several factors in the heuristic, as in its public program.",
        .values = multi_factor_values(0)},
@@ -60,7 +59,9 @@ std::vector<Preset> grid_aco_presets() {
       {.name = "rank",
        .help = "Rank-based Ant System.",
        .values = textbook({{"deposit", word("rank")}, {"evaporation", 0.2}, {"trail_start", 0.1}})},
-      {.name = "mmas", .help = "MAX-MIN Ant System.", .values = textbook({{"deposit", word("max-min")}})}};
+      {.name = "mmas",
+       .help = "MAX-MIN Ant System.",
+       .values = textbook({{"deposit", word("max-min")}, {"trail_ratio", 100.0}})}};
 }
 
 }  // namespace alate

@@ -77,7 +77,7 @@ double GridSpace::octile(Cell a, Cell b) const {
   return length(static_cast<std::size_t>(std::max(across, along)), both);
 }
 
-GridMeasures GridSpace::measure(std::span<const std::uint32_t> directions) const {
+MoveMeasures GridSpace::measure(std::span<const std::uint32_t> directions) const {
   const auto diagonals = std::ranges::count_if(directions, [](std::uint32_t d) { return d % 2 == 1; });
   int turns = 0;
   for (std::size_t i = 1; i < directions.size(); ++i) turns += directions[i] != directions[i - 1] ? 1 : 0;
@@ -87,11 +87,11 @@ GridMeasures GridSpace::measure(std::span<const std::uint32_t> directions) const
 }
 
 double GridSpace::score(std::span<const std::uint32_t> directions) const {
-  const GridMeasures m = measure(directions);
+  const MoveMeasures m = measure(directions);
   return score_.length * m.length + score_.height_dev * m.height_dev + score_.turns * m.turns;
 }
 
-/// As meant, or as coded (section 4.2): the first n cells of the height matrix in column order, n cells on the route.
+/// As meant, or as coded [C]: the first n cells of the height matrix in column order, n cells on the route.
 double GridSpace::deviation(std::span<const std::uint32_t> directions) const {
   std::vector<double> heights;
   if (score_.heights_of == GridScore::HeightsOf::matrix) {

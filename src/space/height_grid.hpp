@@ -16,7 +16,8 @@
 
 namespace alate {
 
-/// How routes on a grid are judged: composite index S = length * L + height_dev * F + turns * T, section 1.9 [C].
+/// How routes on a grid are judged: composite index S = length * L + height_dev * F + turns * T; weights
+/// 1 : 100 : 1 in source C, not in the prose of the paper.
 struct GridScore {
   /// Which cells F is taken over: those of the route, or, as source C does by mistake, as many cells of the height
   /// matrix, column by column from the upper left.
@@ -30,8 +31,8 @@ struct GridScore {
   bool length_only() const { return height_dev == 0 && turns == 0; }
 };
 
-/// Measures of a route, section 1.9.
-struct GridMeasures {
+/// Measures of a route: names from the paper, forms from source C.
+struct MoveMeasures {
   double length = 0;      ///< L, cell sides.
   double height_dev = 0;  ///< F, metres: standard deviation, n - 1.
   int turns = 0;          ///< T.
@@ -74,7 +75,7 @@ class GridSpace {
   /// Columns and rows of a step.
   static std::array<int, 2> shift(unsigned direction);
 
-  GridMeasures measure(std::span<const std::uint32_t> directions) const;
+  MoveMeasures measure(std::span<const std::uint32_t> directions) const;
   double score(std::span<const std::uint32_t> directions) const;
   /// Length alone, from the number of moves and how many of them are diagonal.
   double length(std::size_t moves, std::size_t diagonals) const {

@@ -60,7 +60,7 @@ TEST(GridSpace, MeasuresByHand) {
   EXPECT_FALSE(space.fly(std::vector<std::uint32_t>{4, kEast}));
 }
 
-/// Section 4.2 of the notes on Yin et al. 2021: F as coded is a function of the number of cells.
+/// F as coded is a function of the number of cells; values worked out from the program's formula.
 TEST(GridSpace, HeightsOfTheMatrixAreThoseOfThePublicProgram) {
   HeightGrid grid = test::drawn_grid(30, 1, 0);
   const GridSpace space = corner_space(grid, 1.4, {.heights_of = GridScore::HeightsOf::matrix});

@@ -63,6 +63,7 @@ struct Metrics {
   std::optional<double> min_clearance_m;  ///< Nothing without ground, or where it is unknown.
   std::optional<std::size_t> corrections;  ///< Correction points used; nothing without navigation errors.
   std::optional<double> probability;       ///< That no error breaks its limit although points fail; as above.
+  std::optional<GridMeasures> grid;        ///< Nothing without a grid.
 };
 
 /// Computes cost and sizes from the scenario's own data, by closed forms on straight legs and to 1e-6 (relative)

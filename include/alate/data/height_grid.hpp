@@ -30,4 +30,21 @@ struct HeightGrid {
   Box2 area() const { return {Vec2::Zero(), Vec2(columns * cell_m, rows * cell_m)}; }
 };
 
+/// What Yin et al. 2021 judge a route over a grid by.
+struct GridMeasures {
+  double length_cells = 0;        ///< L, in cell sides.
+  double height_deviation_m = 0;  ///< F, standard deviation (n - 1) of the heights of the cells passed, as meant.
+  std::size_t turns = 0;          ///< T, changes of direction.
+};
+
+/// S = 1 L + 100 F + 1 T, lower is better. The weights are those of the public program of Li et al. 2019; the paper
+/// shows none.
+constexpr double composite_index(const GridMeasures& measures) {
+  constexpr double kLengthWeight = 1;
+  constexpr double kDeviationWeight = 100;
+  constexpr double kTurnWeight = 1;
+  return kLengthWeight * measures.length_cells + kDeviationWeight * measures.height_deviation_m +
+         kTurnWeight * static_cast<double>(measures.turns);
+}
+
 }  // namespace alate

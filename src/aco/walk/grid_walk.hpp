@@ -6,7 +6,7 @@
 // As in the papers a visited cell is tabu, and an ant without a free neighbour is dead: no score, no deposit. Optional:
 // - it steps back instead; with no limit on that it always arrives where there is a way (cells stay tabu);
 // - ants begin with a random part of the best route so far (iterated ants: Wiesemann, Stuetzle 2006);
-// - ant 0 repeats the best route so far, section 1.9 of Yin et al. 2021 [C].
+// - ant 0 repeats the best route so far and deposits like any other: the public program for Li et al. 2019 [C].
 #pragma once
 
 #include <algorithm>

@@ -17,6 +17,7 @@ double inside(const HeightRaster& raster, const Vec2& xy) {
 }
 
 double inside(const Site& site, const Vec2& xy) {
+  if (site.grid) return inside(site.grid->area(), xy);
   if (const auto* raster = std::get_if<HeightRaster>(&site.ground)) return inside(*raster, xy);
   return inside(std::get<PeakGround>(site.ground).area, xy);
 }
@@ -25,7 +26,7 @@ double inside(const Site& site, const Vec2& xy) {
 
 RuleReport judge_bounds(const Flight& flight) {
   RuleReport report("bounds");
-  if (!flight.site.has_ground()) {
+  if (!flight.site.has_ground() && !flight.site.grid) {
     report.not_checked("the scenario has no terrain, so its area has no edge");
     return report;
   }

@@ -27,6 +27,10 @@ void judge_height_above_sea(const Leg& leg, double ceiling_m, RuleReport& report
 
 RuleReport judge_terrain_clearance(const Flight& flight) {
   RuleReport report("terrain_clearance");
+  if (flight.site.grid) {
+    judge_blocked_cells(flight, report);
+    return report;
+  }
   if (!flight.site.has_ground()) report.not_checked("the scenario has no terrain");
   for (const Leg& leg : flight.legs) {
     report_unknown(leg, report);

@@ -115,10 +115,12 @@ std::vector<Rgb> make_palette() {
   return palette;
 }
 
-std::vector<HeightBand> make_bands(const Grid& grid) {
+}  // namespace
+
+std::vector<HeightBand> height_bands(std::span<const float> heights) {
   float low = std::numeric_limits<float>::infinity();
   float high = -low;
-  for (const float height : grid.heights) {
+  for (const float height : heights) {
     if (std::isnan(height)) continue;
     low = std::min(low, height);
     high = std::max(high, height);
@@ -132,12 +134,10 @@ std::vector<HeightBand> make_bands(const Grid& grid) {
   return bands;
 }
 
-}  // namespace
-
 Hillshade hillshade(const Site& site, const Box2& area, int columns) {
   const Grid grid = sample(site, area, columns);
   Hillshade result;
-  result.bands = make_bands(grid);
+  result.bands = height_bands(grid.heights);
   result.image = {.columns = grid.columns, .rows = grid.rows, .palette = make_palette()};
   result.image.pixels.reserve(grid.heights.size());
   const double stretch = exaggeration(grid);

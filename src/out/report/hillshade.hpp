@@ -1,6 +1,7 @@
 // A shaded picture of the ground: layer tints for height, light from the north-west for shape.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Hillshade {
   std::vector<HeightBand> bands;  ///< Upwards; empty without known ground.
   bool has_unknown = false;       ///< Is some of the area without known ground (hatched grey)?
 };
+
+/// Up to eight tints for these heights; none without a height that is a number.
+std::vector<HeightBand> height_bands(std::span<const float> heights);
 
 /// Samples the ground over `area` at about `columns` columns, fewer where the terrain holds no more.
 /// Shading after Horn (1981): Lambert's law, sun at azimuth 315 and altitude 45 degrees, relief exaggerated where the

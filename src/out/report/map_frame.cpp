@@ -25,16 +25,25 @@ bool overlaps(const Box2& box, const Threat& threat) {
 }
 
 /// Grows the shorter side, half at each end, until the proportions are pleasant.
-Box2 proportioned(const Box2& box) {
-  const Vec2 size = (box.max - box.min).cwiseMax(kLeastSize);
+Box2 proportioned(const Box2& box, double least = kLeastSize) {
+  const Vec2 size = (box.max - box.min).cwiseMax(least);
   const Vec2 center = (box.min + box.max) / 2;
   const Vec2 wanted{std::max(size.x(), size.y() / kTallest), std::max(size.y(), size.x() * kFlattest)};
   return {center - wanted / 2, center + wanted / 2};
 }
 
+/// The whole grid, and a route that leaves it.
+Box2 area_of(const HeightGrid& grid, const Route& route) {
+  constexpr double kBorder = 0.02;
+  Box2 box = grid.area();
+  for (const RouteState& state : route.states) include(box, state.position.head<2>(), 0);
+  return proportioned(widened(box, kBorder * (box.max - box.min).maxCoeff()), 0);
+}
+
 }  // namespace
 
 MapFrame map_frame(const Site& site, const Route& route, double width) {
+  if (site.grid) return {.area = area_of(*site.grid, route), .width = width};
   const Mission& mission = site.mission;
   Box2 box{mission.start.head<2>(), mission.start.head<2>()};
   include(box, mission.goal.head<2>(), mission.tolerance_m);

@@ -8,6 +8,7 @@
 #include <ranges>
 
 #include "out/report/axis.hpp"
+#include "out/report/grid_layer.hpp"
 #include "out/report/hillshade.hpp"
 #include "out/report/map_frame.hpp"
 #include "out/report/number_words.hpp"
@@ -31,9 +32,16 @@ bool leaves_band(const Site& site, const Vec3& at) {
   return !above || *above < band.clearance_m || (band.ceiling_agl_m && *above > *band.ceiling_agl_m);
 }
 
-/// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core?
+bool in_blocked_cell(const HeightGrid& grid, const Vec3& at) {
+  const int column = static_cast<int>(std::floor(at.x() / grid.cell_m));
+  const int row = grid.rows - 1 - static_cast<int>(std::floor(at.y() / grid.cell_m));
+  return grid.contains(column, row) && grid.blocked_at(column, row);
+}
+
+/// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core or in a
+/// blocked cell?
 bool is_barred(const Site& site, const Vec3& at) {
-  if (leaves_band(site, at)) return true;
+  if (leaves_band(site, at) || (site.grid && in_blocked_cell(*site.grid, at))) return true;
   return std::ranges::any_of(site.threats, [&](const Threat& threat) {
     const bool sphere = threat.shape == Threat::Shape::sphere;
     const double distance = sphere ? (at - threat.center).norm() : (at - threat.center).head<2>().norm();
@@ -215,6 +223,7 @@ std::string legend(const Shown& shown) {
   if (!site.threats.empty()) items += key("s-threat", "Threat: flying inside costs");
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
+  if (site.grid) items += key("s-blocked", "Blocked cell");
   if (!shown.ground.bands.empty()) items += height_key(shown.ground);
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
   if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
@@ -246,7 +255,10 @@ std::string map_figure(const Result& result) {
   const MapFrame map = map_frame(site, route, kWidth);
   Svg svg(kWidth, map.height(), "Map of the ground, the threats and the route");
   Hillshade ground;
-  if (site.has_ground()) {
+  if (site.grid) {
+    ground = grid_picture(*site.grid);
+    draw_grid(svg, map, *site.grid, ground);
+  } else if (site.has_ground()) {
     ground = hillshade(site, map.area, kPictureColumns);
     svg.image({0, 0}, {svg.width(), svg.height()}, to_png(ground.image), "relief");
   } else {

@@ -10,6 +10,7 @@
 #include "out/report/front_view.hpp"
 #include "out/report/history_view.hpp"
 #include "out/report/map_view.hpp"
+#include "out/report/number_words.hpp"
 #include "out/report/page.hpp"
 #include "out/report/profile_view.hpp"
 #include "out/report/tables.hpp"
@@ -50,7 +51,13 @@ std::string facts(const Result& result) {
   }
   if (metrics.corrections) items += fact(fmt::format("{}", *metrics.corrections), "corrections");
   if (metrics.probability) items += fact(chance_in_words(*metrics.probability), "chance of success");
-  items += fact(fmt::format("{:.0f} m", metrics.climb_m), "climb, all told");
+  if (metrics.grid) {
+    items += fact(fmt::format("{}", metrics.grid->turns), "turns");
+    items += fact(quantity(metrics.grid->height_deviation_m, "m"), "deviation of height");
+    items += fact(fmt::format("{:.2f}", composite_index(*metrics.grid)), "composite index");
+  } else {
+    items += fact(fmt::format("{:.0f} m", metrics.climb_m), "climb, all told");
+  }
   if (!result.site.threats.empty()) {
     const bool physical = result.site.scenario.objective.model == CostModel::physical;
     items += fact(fmt::format("{:.0f}{}", metrics.threat, physical ? " m" : ""), "exposure to threats");
@@ -85,7 +92,7 @@ std::string body(const Result& result) {
   html += verdict_banner(result);
   if (found) html += facts(result);
   html += page_section("Map", map_figure(result));
-  html += page_section("Height along the way", profile_figure(result));
+  if (!result.site.grid) html += page_section("Height along the way", profile_figure(result));
   html += page_section("Navigation errors along the way", errors_figure(result));
   html += page_section("The best trade-offs", front_figure(result));
   if (found) html += page_section("What was checked", rules_table(result));

@@ -9,7 +9,7 @@ const std::string_view kStyle = R"css(
   --route: #0b4f9e; --halo: #ffffff; --threat: #c2410c; --ground: #b9ab94; --ground-edge: #7d6d55;
   --band: #d9ecdf; --limit: #2f7d51; --pass: #1f6f43; --fail: #b3261e; --unknown: #8a5a00;
   --pass-tint: #e7f3ec; --fail-tint: #fbe9e7; --unknown-tint: #fdf3dc; --void: #b2b4b8;
-  --vertical: #8a2d9c; --horizontal: #0c7a70;
+  --vertical: #8a2d9c; --horizontal: #0c7a70; --blocked: #3e424a;
 }
 @media (prefers-color-scheme: dark) {
   :root {
@@ -17,7 +17,7 @@ const std::string_view kStyle = R"css(
     --route: #6cb4ff; --halo: #0d1115; --threat: #ff8a4c; --ground: #6d6251; --ground-edge: #a6967b;
     --band: #1d3a2b; --limit: #6fc796; --pass: #7fd3a4; --fail: #ff9d94; --unknown: #f0c46a;
     --pass-tint: #182b21; --fail-tint: #361c1a; --unknown-tint: #322812; --void: #5d636a;
-    --vertical: #dc9bef; --horizontal: #4fcdbf;
+    --vertical: #dc9bef; --horizontal: #4fcdbf; --blocked: #26292e;
   }
   .relief { filter: brightness(.62); }
 }
@@ -60,6 +60,7 @@ figure > svg { background: var(--card); border: 1px solid var(--rule); }
 .s-ants-mean { height: 0; border-top: 2px dashed var(--ink); border-radius: 0; }
 .s-worst { height: 0; border-top: 2px dotted var(--threat); border-radius: 0; }
 .s-band { background: var(--band); border: 1.5px dashed var(--limit); }
+.s-blocked { background: var(--blocked); }
 .s-unknown { background: repeating-linear-gradient(135deg, var(--void) 0 4px, #8b8f95 4px 6px); }
 .tint { padding: 0 .4rem; color: #1c2126; font-size: .78rem; font-variant-numeric: tabular-nums; }
 .key .tints { gap: 0; flex-wrap: wrap; }
@@ -70,6 +71,9 @@ svg .label { font-weight: 600; paint-order: stroke; stroke: var(--halo); stroke-
 svg .name { fill: var(--threat); }
 svg .plain { font-weight: 600; }
 svg .grid { stroke: var(--rule); stroke-width: 1; }
+svg .cells { image-rendering: pixelated; }
+svg .cell { stroke: var(--ink); stroke-width: .6; opacity: .25; }
+svg .edge { fill: none; stroke: var(--soft); stroke-width: 1.5; }
 svg .blank { fill: var(--card); }
 svg .route { fill: none; stroke: var(--route); stroke-width: 4; stroke-linejoin: round; stroke-linecap: round; }
 svg .halo { fill: none; stroke: var(--halo); stroke-width: 8; stroke-linejoin: round; stroke-linecap: round;

@@ -131,6 +131,11 @@ std::string numbers_table(const Result& result) {
             {"Exposure to threats", figure(m.threat, physical ? "m" : "")}};
     if (m.corrections) rows.emplace_back("Corrections", whole(*m.corrections));
     if (m.probability) rows.emplace_back("Chance of success", chance_in_words(*m.probability));
+    if (m.grid) {
+      rows.emplace_back("Turns", whole(m.grid->turns));
+      rows.emplace_back("Standard deviation of the heights of its cells", figure(m.grid->height_deviation_m, "m"));
+      rows.emplace_back("Composite index (Yin et al. 2021)", figure(composite_index(*m.grid), ""));
+    }
     if (m.min_clearance_m) rows.emplace_back("Lowest height above ground", figure(*m.min_clearance_m, "m"));
   }
   rows.emplace_back("Planning time", figure(result.wall_s, "s"));
