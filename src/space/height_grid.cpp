@@ -77,18 +77,19 @@ double GridSpace::octile(Cell a, Cell b) const {
   return length(static_cast<std::size_t>(std::max(across, along)), both);
 }
 
-MoveMeasures GridSpace::measure(std::span<const std::uint32_t> directions) const {
+GridMeasures GridSpace::measure(std::span<const std::uint32_t> directions) const {
   const auto diagonals = std::ranges::count_if(directions, [](std::uint32_t d) { return d % 2 == 1; });
-  int turns = 0;
-  for (std::size_t i = 1; i < directions.size(); ++i) turns += directions[i] != directions[i - 1] ? 1 : 0;
-  return {.length = length(directions.size(), static_cast<std::size_t>(diagonals)),
-          .height_dev = deviation(directions),
+  std::size_t turns = 0;
+  for (std::size_t i = 1; i < directions.size(); ++i) turns += directions[i] != directions[i - 1] ? 1U : 0U;
+  return {.length_cells = length(directions.size(), static_cast<std::size_t>(diagonals)),
+          .height_deviation_m = deviation(directions),
           .turns = turns};
 }
 
 double GridSpace::score(std::span<const std::uint32_t> directions) const {
-  const MoveMeasures m = measure(directions);
-  return score_.length * m.length + score_.height_dev * m.height_dev + score_.turns * m.turns;
+  const GridMeasures m = measure(directions);
+  return score_.length * m.length_cells + score_.height_dev * m.height_deviation_m +
+         score_.turns * static_cast<double>(m.turns);
 }
 
 /// As meant, or as coded [C]: the first n cells of the height matrix in column order, n cells on the route.

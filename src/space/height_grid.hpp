@@ -31,13 +31,6 @@ struct GridScore {
   bool length_only() const { return height_dev == 0 && turns == 0; }
 };
 
-/// Measures of a route: names from the paper, forms from source C.
-struct MoveMeasures {
-  double length = 0;      ///< L, cell sides.
-  double height_dev = 0;  ///< F, metres: standard deviation, n - 1.
-  int turns = 0;          ///< T.
-};
-
 /// Cells are numbered row by row with a rim of blocked cells around, so that no move leaves the arrays. Directions run
 /// counter-clockwise from east; odd ones are diagonal. A diagonal is free only if the cells on both its sides are.
 class GridSpace {
@@ -75,7 +68,8 @@ class GridSpace {
   /// Columns and rows of a step.
   static std::array<int, 2> shift(unsigned direction);
 
-  MoveMeasures measure(std::span<const std::uint32_t> directions) const;
+  /// L, F as the score has it, and T: names from the paper, forms from source C.
+  GridMeasures measure(std::span<const std::uint32_t> directions) const;
   double score(std::span<const std::uint32_t> directions) const;
   /// Length alone, from the number of moves and how many of them are diagonal.
   double length(std::size_t moves, std::size_t diagonals) const {

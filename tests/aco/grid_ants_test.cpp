@@ -263,7 +263,7 @@ TEST(GridColony, RepeatsTheBestSoThatItsScoreNeverRises) {
   ASSERT_TRUE(best.arrived());
   EXPECT_DOUBLE_EQ(best.cost, space.score(best.actions));
   ASSERT_EQ(colony.history().size(), 10U);
-  EXPECT_DOUBLE_EQ(*colony.history().back().best_so_far, space.measure(best.actions).length);
+  EXPECT_DOUBLE_EQ(*colony.history().back().best_so_far, space.measure(best.actions).length_cells);
 }
 
 }  // namespace

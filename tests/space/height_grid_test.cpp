@@ -48,14 +48,14 @@ TEST(GridSpace, MeasuresByHand) {
   const GridScore score{.height_dev = 100, .turns = 1};
   const GridSpace space = corner_space(grid, 1.4, score);
   const std::vector<std::uint32_t> straight{kNorthEast, kNorthEast};  // heights 2, 4, 6
-  EXPECT_DOUBLE_EQ(space.measure(straight).length, 2.8);
-  EXPECT_DOUBLE_EQ(space.measure(straight).height_dev, 2);
-  EXPECT_EQ(space.measure(straight).turns, 0);
+  EXPECT_DOUBLE_EQ(space.measure(straight).length_cells, 2.8);
+  EXPECT_DOUBLE_EQ(space.measure(straight).height_deviation_m, 2);
+  EXPECT_EQ(space.measure(straight).turns, 0U);
   EXPECT_DOUBLE_EQ(space.fly(straight)->cost, 2.8 + 200);
   const std::vector<std::uint32_t> bent{kEast, kNorthEast, kNorth};  // heights 2, 0, 0, 6
-  EXPECT_DOUBLE_EQ(space.measure(bent).length, 3.4);
-  EXPECT_DOUBLE_EQ(space.measure(bent).height_dev, std::sqrt(24.0 / 3));
-  EXPECT_EQ(space.measure(bent).turns, 2);
+  EXPECT_DOUBLE_EQ(space.measure(bent).length_cells, 3.4);
+  EXPECT_DOUBLE_EQ(space.measure(bent).height_deviation_m, std::sqrt(24.0 / 3));
+  EXPECT_EQ(space.measure(bent).turns, 2U);
   EXPECT_FALSE(space.fly(std::vector<std::uint32_t>{kEast}));
   EXPECT_FALSE(space.fly(std::vector<std::uint32_t>{4, kEast}));
 }
@@ -65,7 +65,7 @@ TEST(GridSpace, HeightsOfTheMatrixAreThoseOfThePublicProgram) {
   HeightGrid grid = test::drawn_grid(30, 1, 0);
   const GridSpace space = corner_space(grid, 1.4, {.heights_of = GridScore::HeightsOf::matrix});
   for (const auto& [cells, published] : {std::pair{30, 8.79}, {36, 8.32}, {39, 8.05}, {42, 10.26}, {48, 17.51}})
-    EXPECT_NEAR(100 * space.measure(std::vector<std::uint32_t>(static_cast<std::size_t>(cells) - 1)).height_dev,
+    EXPECT_NEAR(100 * space.measure(std::vector<std::uint32_t>(static_cast<std::size_t>(cells) - 1)).height_deviation_m,
                 published, 0.005)
         << cells;
 }
@@ -73,7 +73,7 @@ TEST(GridSpace, HeightsOfTheMatrixAreThoseOfThePublicProgram) {
 TEST(GridSpace, TrueHeightsOfTheDiagonalAreThoseOfTheReference) {
   HeightGrid grid = test::drawn_grid(30, 1, 0);
   const GridSpace space = corner_space(grid, 1.4);
-  const double deviation = space.measure(std::vector<std::uint32_t>(29, kNorthEast)).height_dev;
+  const double deviation = space.measure(std::vector<std::uint32_t>(29, kNorthEast)).height_deviation_m;
   EXPECT_NEAR(100 * deviation, 111.3, 0.05);
 }
 

@@ -69,7 +69,7 @@ class GridWalk {
   /// Moves of a route that was changed after the walk, and its length.
   void name_route(const Policies& policies, Ant& ant) const {
     ant.keys.clear();
-    ant.sum = space_.measure(ant.actions).length;
+    ant.sum = space_.measure(ant.actions).length_cells;
     GridSpace::Cell cell = space_.start();
     for (const std::uint32_t direction : ant.actions) {
       ant.keys.push_back(MoveCells::key(cell, direction));
