@@ -101,10 +101,12 @@ void published_on_points(benchmark::State& state) { against_literal(state, Power
 /// A large colony on 1, 2 and 4 threads; wall time.
 void threads(benchmark::State& state) {
   const Problem problem(layout_c());
-  const ChosenPlanner chosen = choose_planner(
-      builtin_planners(), problem,
-      {.name = "attitude-aco",
-       .settings = {{"ants", "2000", "bench"}, {"local_search", "none", "bench"}, {"follow", "0", "bench"}}});
+  const ChosenPlanner chosen = choose_planner(builtin_planners(), problem,
+                                              {.name = "attitude-aco",
+                                               .settings = {{"ants", "2000", "bench"},
+                                                            {"local_search", "none", "bench"},
+                                                            {"follow", "0", "bench"},
+                                                            {"first_route", "none", "bench"}}});
   Executor executor(static_cast<int>(state.range(0)));
   for (auto _ : state) {
     RunContext run(executor, {.iterations = 10});

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "alate/check/check.hpp"
-#include "alate/data/point_list.hpp"
 #include "alate/data/route_file.hpp"
 #include "alate/data/scenario_file.hpp"
 #include "alate/out/result.hpp"
+#include "alate/plan/point_route.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

@@ -226,13 +226,13 @@ class Colony {
   static constexpr std::size_t kPollEvery = 8;
   static constexpr std::size_t kGroups = 64;  ///< Enough to keep any number of threads evenly busy.
 
+  Ant best_;
+  const Ant nobody_;  ///< Where no ant of an iteration arrived.
   const Space& space_;
   Policies policies_;
   ColonyOptions options_;
   std::vector<Ant> ants_;
   std::vector<Choices> scratch_;  ///< One a group of ants.
-  Ant best_;
-  const Ant nobody_;  ///< Where no ant of an iteration arrived.
   std::vector<IterationStats> history_;
   std::uint64_t moves_ = 0;
 };

@@ -18,7 +18,7 @@ bool usable(const ArcPlane& plane) {
 }
 
 bool usable(const Arc& arc) {
-  if (arc.plane && !(usable(*arc.plane) && arc.angle_rad >= 0)) return false;
+  if (arc.plane && (arc.angle_rad < 0 || !usable(*arc.plane))) return false;
   return arc.center.allFinite() && arc.center.cwiseAbs().maxCoeff() <= kFarthest && arc.radius_m > 0 &&
          arc.radius_m <= kLargestArc && std::abs(arc.angle_rad) <= kMostTurns;
 }

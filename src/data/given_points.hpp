@@ -30,6 +30,12 @@ class GivenPoints {
   /// Nothing if the point was taken. Ids are 0 to kMaxPointId.
   std::optional<PointFault> add(const GivenPoint& given);
 
+  // The parts of `add`, for points of which not every part can be read: a fault in one must not hide those in others.
+  std::optional<PointFault> claim_id(int id);
+  /// `id`: what a second end is told of the first.
+  std::optional<PointFault> claim_kind(PointKind kind, std::optional<int> id);
+  void take(const GivenPoint& given);
+
   /// Both ends or neither? Asked when all points were added.
   std::optional<PointFault> missing_end() const;
 
@@ -38,12 +44,17 @@ class GivenPoints {
   const std::optional<GivenPoint>& end() const { return end_; }
 
  private:
-  /// False if it was there already.
-  bool insert_id(int id);
+  /// An end that was claimed, whether or not it was taken.
+  struct Claimed {
+    bool there = false;
+    std::optional<int> id;
+  };
 
   std::vector<GivenPoint> points_;
   std::optional<GivenPoint> start_;
   std::optional<GivenPoint> end_;
+  Claimed claimed_start_;
+  Claimed claimed_end_;
   std::vector<bool> ids_;  ///< By id: is it there?
 };
 

@@ -1,4 +1,4 @@
-#include "alate/data/point_list.hpp"
+#include "data/point_list.hpp"
 
 #include <fmt/ranges.h>
 
@@ -32,11 +32,11 @@ class ListReader {
  public:
   ListReader(const Navigation& navigation, std::string source) : navigation_(navigation), source_(std::move(source)) {}
 
-  /// Null, with a fault, where `word` names no point. `place` counts from 1.
-  const CorrectionPoint* read(std::string_view word, int place) {
+  /// Nothing, with a fault, where `word` names no point. `place` counts from 1.
+  std::optional<int> read(std::string_view word, int place) {
     if (word.empty()) {
       refuse(place, {.value = "nothing", .message = "an id is missing beside a comma"});
-      return nullptr;
+      return std::nullopt;
     }
     int id = 0;
     const char* end = std::to_address(word.end());
@@ -45,15 +45,15 @@ class ListReader {
       refuse(place, {.value = shortened(std::string(word)),
                      .limit = fmt::format("0 to {}", kMaxPointId),
                      .message = "is not the id of a point"});
-      return nullptr;
+      return std::nullopt;
     }
-    const auto found = std::ranges::find(navigation_.points, id, &CorrectionPoint::id);
-    if (found != navigation_.points.end()) return &*found;
+    const auto& points = navigation_.points;
+    if (std::ranges::find(points, id, &CorrectionPoint::id) != points.end()) return id;
     refuse(place, {.value = fmt::format("{}", id),
-                   .limit = fmt::format("nearest ids: {}", fmt::join(nearest_ids(navigation_.points, id), ", ")),
+                   .limit = fmt::format("nearest ids: {}", fmt::join(nearest_ids(points, id), ", ")),
                    .message = is_end(id) ? "is an end of the flight, which is not listed"
                                          : "no correction point has this id"});
-    return nullptr;
+    return std::nullopt;
   }
 
   void throw_if_any() { alate::throw_if_any(std::move(faults_)); }
@@ -72,11 +72,9 @@ class ListReader {
   std::vector<Fault> faults_;
 };
 
-std::optional<int> id_of_end(int id) { return id == Navigation::kNoId ? std::nullopt : std::optional(id); }
-
 }  // namespace
 
-Route route_over_points(const Site& site, const std::string& ids, const std::string& source) {
+std::vector<int> read_point_ids(const Site& site, const std::string& ids, const std::string& source) {
   if (!site.navigation) {
     throw InputError(
         Fault{.file = source, .message = "needs a scenario with navigation; " + site.scenario.file + " has none"});
@@ -91,21 +89,16 @@ Route route_over_points(const Site& site, const std::string& ids, const std::str
                            .limit = fmt::format("<= {}", kMaxRouteStates),
                            .message = "too many points"});
   }
-  const Navigation& navigation = *site.navigation;
-  Route route;
-  route.states.push_back(
-      {.position = site.mission.start, .leg = LegKind::start, .point_id = id_of_end(navigation.start_id)});
-  ListReader reader(navigation, source);
+  ListReader reader(*site.navigation, source);
+  std::vector<int> read;
   int place = 0;
   for (std::size_t begin = 0; begin <= ids.size();) {
     const std::size_t end = std::min(ids.find(',', begin), ids.size());
-    const CorrectionPoint* point = reader.read(std::string_view(ids).substr(begin, end - begin), ++place);
-    if (point != nullptr) route.states.push_back({.position = point->position, .point_id = point->id});
+    if (const auto id = reader.read(std::string_view(ids).substr(begin, end - begin), ++place)) read.push_back(*id);
     begin = end + 1;
   }
   reader.throw_if_any();
-  route.states.push_back({.position = site.mission.goal, .point_id = id_of_end(navigation.goal_id)});
-  return route;
+  return read;
 }
 
 }  // namespace alate

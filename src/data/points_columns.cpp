@@ -13,7 +13,7 @@ namespace alate {
 namespace {
 
 std::optional<PointColumn> column_named(std::string_view name) {
-  const auto found = std::ranges::find(kPointColumns, name);
+  const auto* const found = std::ranges::find(kPointColumns, name);
   if (found == kPointColumns.end()) return std::nullopt;
   return static_cast<PointColumn>(found - kPointColumns.begin());
 }

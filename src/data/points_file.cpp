@@ -177,11 +177,14 @@ void Reader::read_row(std::string_view line) {
   const auto where = place();
   const auto what = kind_of();
   const auto works = chance();
-  if (!own_id || !where || !what || !works) return;
-  const auto fault = points_.add({.point = {.id = *own_id, .position = *where, .kind = *what, .success = *works},
-                                  .geographic = columns_.geographic,
-                                  .row = number_});
-  if (fault) refuse(fault->field == "id" ? id : kind, fault->message.c_str(), fault->limit);
+  const auto twice = own_id ? points_.claim_id(*own_id) : std::nullopt;
+  const auto second_end = what ? points_.claim_kind(*what, own_id) : std::nullopt;
+  if (twice) refuse(id, twice->message.c_str(), twice->limit);
+  if (second_end) refuse(kind, second_end->message.c_str(), second_end->limit);
+  if (!own_id || !where || !what || !works || twice || second_end) return;
+  points_.take({.point = {.id = *own_id, .position = *where, .kind = *what, .success = *works},
+                .geographic = columns_.geographic,
+                .row = number_});
 }
 
 GivenPoints Reader::read(std::string_view text) {
@@ -206,7 +209,7 @@ GivenPoints Reader::read(std::string_view text) {
   }
   if (!header) refuse({.message = "the file is empty"});
   if (header && rows == 0) refuse({.message = "the file has a header but no points"});
-  if (const auto fault = points_.missing_end(); fault && faults_.size() == earlier_)
+  if (const auto fault = points_.missing_end(); fault)
     refuse({.field = "kind", .limit = fault->limit, .message = fault->message});
   if (uncounted_ > 0) faults_.push_back({.file = file_, .message = fmt::format("and {} more faults", uncounted_)});
   return std::move(points_);

@@ -30,6 +30,18 @@ const Individual& ranked(const Population& population, std::size_t rank) {
   return population[order[rank]];
 }
 
+/// Drawn in proportion to fitness.
+const Individual& parent(const Population& population, Stream& stream) {
+  double sum = 0;
+  for (const Individual& one : population) sum += fitness(one);
+  double left = stream.uniform() * sum;
+  for (const Individual& one : population) {
+    left -= fitness(one);
+    if (left < 0) return one;
+  }
+  return population.back();
+}
+
 }  // namespace
 
 FixedBreeder::FixedBreeder(const CorrectionGraph& graph, const GeneRectangle& rectangle, const SampledCost& cost,
@@ -59,16 +71,6 @@ Individual FixedBreeder::child(const Population& population, std::size_t slot, S
     child = judged(crossed(mother.genes, father.genes, stream.below(options_.genes + 1)));
   mutate(child.genes, options_.mutation(fitness(child), stats), stream);
   return judged(std::move(child.genes));
-}
-
-/// Drawn in proportion to fitness.
-const Individual& FixedBreeder::parent(const Population& population, Stream& stream) const {
-  double sum = 0;
-  for (const Individual& one : population) sum += fitness(one);
-  double left = stream.uniform() * sum;
-  for (const Individual& one : population)
-    if ((left -= fitness(one)) < 0) return one;
-  return population.back();
 }
 
 PointString FixedBreeder::crossed(const PointString& mother, const PointString& father, std::size_t cut) const {

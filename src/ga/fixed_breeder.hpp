@@ -35,10 +35,9 @@ class FixedBreeder {
 
   Individual first(Stream& stream, RunContext& run) const;
   Individual child(const Population& population, std::size_t slot, Stream& stream, RunContext& run) const;
-  void survive(Population& population, Population& born) const { std::swap(population, born); }
+  static void survive(Population& population, Population& born) { std::swap(population, born); }
 
  private:
-  const Individual& parent(const Population& population, Stream& stream) const;
   PointString crossed(const PointString& mother, const PointString& father, std::size_t cut) const;
   void mutate(PointString& genes, double rate, Stream& stream) const;
   Individual judged(PointString genes) const;

@@ -17,11 +17,14 @@ Trip ends_of(const CorrectionGraph& graph) { return fly(graph, {}); }
 class StringBreeder::Growth {
  public:
   Growth(const StringBreeder& breeder, const Graft& graft, Stream& stream)
-      : breeder_(breeder), graph_(breeder.graph_), graft_(graft), stream_(stream) {
+      : breeder_(breeder),
+        graph_(breeder.graph_),
+        graft_(graft),
+        stream_(stream),
+        temperature_m_(breeder.options_.temperature_m * std::pow(breeder.options_.spread, -stream.uniform())) {
     const auto kept = static_cast<std::ptrdiff_t>(graft.kept);
     nodes_.assign(graft.head.nodes.begin(), graft.head.nodes.begin() + 1 + kept);
     errors_.assign(graft.head.error.begin(), graft.head.error.begin() + 1 + kept);
-    temperature_m_ = breeder.options_.temperature_m * std::pow(breeder.options_.spread, -stream.uniform());
   }
 
   std::optional<PointString> run(RunContext& run) {
@@ -108,8 +111,10 @@ class StringBreeder::Growth {
     double sum = 0;
     for (const Weighed& one : open_) sum += one.weight;
     double left = stream_.uniform() * sum;
-    for (std::size_t k = 0; k + 1 < open_.size(); ++k)
-      if ((left -= open_[k].weight) < 0) return k;
+    for (std::size_t k = 0; k + 1 < open_.size(); ++k) {
+      left -= open_[k].weight;
+      if (left < 0) return k;
+    }
     return open_.size() - 1;
   }
 
@@ -122,7 +127,7 @@ class StringBreeder::Growth {
   const CorrectionGraph& graph_;
   const Graft& graft_;
   Stream& stream_;
-  double temperature_m_ = 0;
+  double temperature_m_;
   std::vector<Node> nodes_;
   std::vector<double> errors_;
   std::vector<Node> dead_;
@@ -184,7 +189,7 @@ Individual StringBreeder::born(std::optional<PointString> genes, bool polished, 
   return {.genes = std::move(*genes), .cost = price, .price = price};
 }
 
-void StringBreeder::survive(Population& population, Population& born) const {
+void StringBreeder::survive(Population& population, Population& born) {
   const std::size_t size = population.size();
   Population all = std::move(population);
   all.insert(all.end(), born.begin(), born.end());

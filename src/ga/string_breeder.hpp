@@ -32,7 +32,7 @@ class StringBreeder {
   Individual first(Stream& stream, RunContext& run) const;
   Individual child(const Population& population, std::size_t slot, Stream& stream, RunContext& run) const;
   /// The cheapest of old and new, each route once.
-  void survive(Population& population, Population& born) const;
+  static void survive(Population& population, Population& born);
 
   /// Repair: keeps the first `kept` points of `head`, then at least `fresh` drawn ones, then goes over to `tail` at its
   /// node `from` or later, as soon as a leg leads there with which the rest of the tail can be flown. Nothing where

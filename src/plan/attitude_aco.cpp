@@ -117,7 +117,7 @@ class AttitudeAco {
     if (kind == "none") return {};
     SearchResult greedy = greedy_walk(space, run);
     if (kind == "greedy") return greedy;
-    const std::uint64_t passes = beam_passes(space);
+    const std::uint64_t passes = beam_passes(space, greedy.found);
     const BeamOptions options{.max_width = BeamOptions{}.width << (passes - 1), .default_passes = passes};
     return Beam(space.lattice(), options).run(run, std::move(greedy));
   }
@@ -130,12 +130,14 @@ class AttitudeAco {
     return by_cost.cost < greedy.cost ? by_cost : greedy;
   }
 
-  std::uint64_t beam_passes(const AttitudeAnts& space) const {
-    constexpr std::uint64_t kAmongNodes = 3;  // from there on the ants, priced in single precision, gain more
+  std::uint64_t beam_passes(const AttitudeAnts& space, bool is_bounded) const {
     constexpr std::uint64_t kElsewhere = 4;
+    constexpr std::uint64_t kAmongNodes = 3;  // from there on the ants, priced in single precision, gain more
+    constexpr std::uint64_t kUnbounded = 1;   // without a route to beat a pass goes on to the step limit
     if (const std::int64_t passes = values_.integer("beam_passes"); passes > 0)
       return static_cast<std::uint64_t>(passes);
-    return space.in_single_precision() ? kAmongNodes : kElsewhere;
+    if (!space.in_single_precision()) return kElsewhere;
+    return is_bounded ? kAmongNodes : kUnbounded;
   }
 
   /// How near the goal must have been for an ant that flies past it to end.

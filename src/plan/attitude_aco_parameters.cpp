@@ -1,6 +1,8 @@
 #include "plan/attitude_aco_parameters.hpp"
 
 #include "plan/attitude_plan.hpp"
+#include "plan/colony_parameters.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
@@ -8,23 +10,10 @@ namespace {
 
 constexpr const char* kPaper = "Konatowski, Pawlowski 2019, section 4";
 
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
-
 std::vector<Parameter> walk_parameters() {
   return {
-      {.name = "ants",
-       .default_value = whole(40),
-       .min = 1,
-       .max = 100000,
-       .help = "Walks an iteration.",
-       .source = "alate: the paper leaves it open"},
-      {.name = "iterations",
-       .default_value = whole(30),
-       .min = 1,
-       .max = 1e9,
-       .help = "Iterations where neither a budget nor a time limit is given.",
-       .source = "konatowski2019: 180, section 4"},
+      ants_parameter(40, "alate: the paper leaves it open"),
+      iterations_parameter(30, "konatowski2019: 180, section 4"),
       step_limit_parameter(),
       {.name = "heuristic",
        .default_value = word("goal-directed"),
@@ -46,31 +35,10 @@ std::vector<Parameter> walk_parameters() {
        .above_min = true,
        .help = "Goal-directed: a choice that costs as much as this many steps more is e times less likely.",
        .source = "alate"},
-      {.name = "spread",
-       .default_value = 30.0,
-       .min = 1,
-       .max = 1e6,
-       .help = "Goal-directed: the first ant has the temperature, the last one this many times less.",
-       .source = "alate"},
-      {.name = "follow",
-       .default_value = 0.8,
-       .min = 0,
-       .max = 1,
-       .help = "Share of ants that begin with a random part of the best route so far.",
-       .source = "Wiesemann, Stuetzle 2006 (iterated ants)"},
-      {.name = "give_up",
-       .default_value = 0.02,
-       .min = 0,
-       .max = 1e6,
-       .help =
-           "An ant ends where its cost and the estimated rest are dearer than the best so far by this share; 0: never.",
-       .source = "alate"},
-      {.name = "step_backs",
-       .default_value = whole(1000),
-       .min = 0,
-       .max = 1e6,
-       .help = "An ant without choices takes its last move back, at most this often; 0: it ends.",
-       .source = "alate"},
+      spread_parameter(30),
+      follow_parameter(0.8),
+      give_up_parameter(0.02),
+      step_backs_parameter(1000),
       {.name = "overshoot",
        .default_value = word("fly-on"),
        .choices = {"fly-on", "end"},
@@ -96,12 +64,7 @@ std::vector<Parameter> walk_parameters() {
 
 std::vector<Parameter> trail_parameters() {
   return {
-      {.name = "alpha",
-       .default_value = whole(1),
-       .min = 0,
-       .max = 16,
-       .help = "Power of the trail; 0: trails count for nothing.",
-       .source = "Konatowski, Pawlowski 2019, eq. (1), alpha"},
+      alpha_parameter("Konatowski, Pawlowski 2019, eq. (1), alpha"),
       {.name = "trail",
        .default_value = word("cells"),
        .choices = {"cells", "points"},
@@ -115,13 +78,7 @@ std::vector<Parameter> trail_parameters() {
        .above_min = true,
        .help = "Edge of a trail cell.",
        .source = "alate"},
-      {.name = "evaporation",
-       .default_value = 0.2,
-       .min = 0,
-       .max = 1,
-       .above_min = true,
-       .help = "Share of a trail that evaporates an iteration.",
-       .source = "Konatowski, Pawlowski 2019, eq. (2), rho"},
+      evaporation_parameter(0.2, "Konatowski, Pawlowski 2019, eq. (2), rho"),
       {.name = "deposit",
        .default_value = word("max-min"),
        .choices = {"max-min", "ant-system", "rank", "acs", "none"},
@@ -141,19 +98,8 @@ std::vector<Parameter> trail_parameters() {
        .max = 1000,
        .help = "rank: weight of the best so far; w - 1 ants deposit.",
        .source = "Bullnheimer, Hartl, Strauss 1999, eqs. (3), (4)"},
-      {.name = "trail_ratio",
-       .default_value = 20.0,
-       .min = 1,
-       .max = 1e6,
-       .help = "max-min: greatest over least trail.",
-       .source = "Stuetzle, Hoos 2000, section 2.3"},
-      {.name = "best_every",
-       .unit = "iterations",
-       .default_value = whole(3),
-       .min = 0,
-       .max = 1e9,
-       .help = "max-min: every so often the best so far deposits instead of the iteration's best; 0: never.",
-       .source = "Stuetzle, Hoos 2000, section 2.2"},
+      trail_ratio_parameter(),
+      best_every_parameter(),
       {.name = "wear",
        .default_value = 0.1,
        .min = 0,
@@ -176,7 +122,7 @@ std::vector<Parameter> search_parameters() {
        .min = 0,
        .max = 10,
        .help = "Passes of beam search before the ants, each counted as an iteration; 0: 3 under the konatowski2019 "
-               "objective in open air, 4 elsewhere.",
+               "objective in open air (1 where the greedy walk does not arrive), 4 elsewhere.",
        .source = "Blum 2005 (Beam-ACO)"},
       {.name = "local_search",
        .default_value = word("action-string"),

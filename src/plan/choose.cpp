@@ -37,7 +37,7 @@ Choice choose_automatically(const Registry& registry, const Problem& problem) {
     std::string refusal = entry.refuses(problem);
     if (refusal.empty())
       return {&entry, "auto",
-              fmt::format("no planner was named, and the vehicle can be flown by {} on the {}", entry.name,
+              fmt::format("no planner was named; {}, on the {}, is the first that can serve this scenario", entry.name,
                           entry.can.space)};
     Fault fault = scenario_fault(problem.world.site().scenario, "vehicle");
     fault.message = fmt::format("{} cannot plan this: it {}", entry.name, refusal);

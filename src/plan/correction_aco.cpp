@@ -89,13 +89,13 @@ class CorrectionAco {
   }
 
   Policies policies(const StringWindows& windows) const {
-    constexpr double kPlace_m = 1;  // points nearer to each other than this may share a trail
+    constexpr double kPlace = 1;  // points nearer to each other than this may share a trail
     const bool max_min = values_.text("deposit") == "max-min";
     const double evaporation = values_.number("evaporation");
     const bool polish = values_.text("local_search") == "windows";
     return {.heuristic = GoalDirected(values_.number("temperature"), values_.number("spread"), count("ants")),
             .transition = Roulette{},
-            .trail = PointTrail(HashCells(kPlace_m), {.evaporation = evaporation, .unknown_decays = max_min}),
+            .trail = PointTrail(HashCells(kPlace), {.evaporation = evaporation, .unknown_decays = max_min}),
             .deposit = deposit(max_min, evaporation),
             .local_search = WindowSearch{polish ? &windows : nullptr}};
   }

@@ -1,28 +1,17 @@
 #include "plan/correction_aco_parameters.hpp"
 
+#include "plan/colony_parameters.hpp"
 #include "plan/correction_parameters.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
 namespace {
 
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
-
 std::vector<Parameter> walk_parameters() {
   return {
-      {.name = "ants",
-       .default_value = whole(30),
-       .min = 1,
-       .max = 100000,
-       .help = "Walks an iteration.",
-       .source = "alate"},
-      {.name = "iterations",
-       .default_value = whole(150),
-       .min = 1,
-       .max = 1e9,
-       .help = "Iterations where neither a budget nor a time limit is given.",
-       .source = "alate"},
+      ants_parameter(30, "alate"),
+      iterations_parameter(150, "alate"),
       {.name = "step_limit",
        .unit = "points",
        .default_value = whole(1000),
@@ -38,54 +27,22 @@ std::vector<Parameter> walk_parameters() {
        .above_min = true,
        .help = "A choice that makes the way this much longer is e times less likely.",
        .source = "alate"},
-      {.name = "spread",
-       .default_value = 20.0,
-       .min = 1,
-       .max = 1e6,
-       .help = "The first ant has the temperature, the last one this many times less.",
-       .source = "alate"},
-      {.name = "follow",
-       .default_value = 0.5,
-       .min = 0,
-       .max = 1,
-       .help = "Share of ants that begin with a random part of the best route so far.",
-       .source = "Wiesemann, Stuetzle 2006 (iterated ants)"},
-      {.name = "give_up",
-       .default_value = 0.05,
-       .min = 0,
-       .max = 1e6,
-       .help =
-           "An ant ends where its way and the relaxed rest are longer than the best so far by this share; 0: never.",
-       .source = "alate"},
-      {.name = "step_backs",
-       .default_value = whole(50),
-       .min = 0,
-       .max = 1e6,
-       .help = "An ant without choices takes its last move back, at most this often; 0: it ends.",
-       .source = "alate"},
+      spread_parameter(20),
+      follow_parameter(0.5),
+      give_up_parameter(0.05),
+      step_backs_parameter(50),
   };
 }
 
 std::vector<Parameter> trail_parameters() {
   return {
-      {.name = "alpha",
-       .default_value = whole(1),
-       .min = 0,
-       .max = 16,
-       .help = "Power of the trail, which lies on points; 0: trails count for nothing.",
-       .source = "Dorigo, Maniezzo, Colorni 1996, eq. (4)"},
+      alpha_parameter("Dorigo, Maniezzo, Colorni 1996, eq. (4)"),
       {.name = "deposit",
        .default_value = word("max-min"),
        .choices = {"max-min", "ant-system"},
        .help = "Who leaves pheromone: the best ant, within bounds; or all that arrived.",
        .source = "max-min: Stuetzle, Hoos 2000; ant-system: Dorigo, Maniezzo, Colorni 1996"},
-      {.name = "evaporation",
-       .default_value = 0.1,
-       .min = 0,
-       .max = 1,
-       .above_min = true,
-       .help = "Share of a trail that evaporates an iteration.",
-       .source = "Dorigo, Maniezzo, Colorni 1996, eq. (1), 1 - rho"},
+      evaporation_parameter(0.1, "Dorigo, Maniezzo, Colorni 1996, eq. (1), 1 - rho"),
       {.name = "q",
        .unit = "m",
        .default_value = 1e5,
@@ -94,19 +51,8 @@ std::vector<Parameter> trail_parameters() {
        .above_min = true,
        .help = "An ant with a route of cost F leaves q / F.",
        .source = "Dorigo, Maniezzo, Colorni 1996, eq. (2), Q"},
-      {.name = "trail_ratio",
-       .default_value = 20.0,
-       .min = 1,
-       .max = 1e6,
-       .help = "max-min: greatest over least trail.",
-       .source = "Stuetzle, Hoos 2000, section 2.3"},
-      {.name = "best_every",
-       .unit = "iterations",
-       .default_value = whole(3),
-       .min = 0,
-       .max = 1e9,
-       .help = "max-min: every so often the best so far deposits instead of the iteration's best; 0: never.",
-       .source = "Stuetzle, Hoos 2000, section 2.2"},
+      trail_ratio_parameter(),
+      best_every_parameter(),
       {.name = "local_search",
        .default_value = word("windows"),
        .choices = {"windows", "none"},

@@ -24,6 +24,22 @@ class CorrectionGa {
  public:
   explicit CorrectionGa(ParamValues values) : values_(std::move(values)) {}
 
+  /// The chromosomes of the first population, strings of fixed length.
+  std::vector<std::vector<int>> first(const Problem& problem, std::size_t most, RunContext& run) const {
+    std::vector<std::vector<int>> chromosomes;
+    plan_on_corrections(problem, run, values_.number("corridor"), [&](const CorrectionTask& task) {
+      with_chromosomes(problem, task, price_of(problem, task), [&](const FixedBreeder& breeder) {
+        for (std::size_t a = 0; a < most; ++a) {
+          Stream stream(run.seed(), 1, a);
+          std::vector<int>& ids = chromosomes.emplace_back();
+          for (const CorrectionGraph::Node node : breeder.first(stream, run).genes) ids.push_back(task.graph.id(node));
+        }
+      });
+      return CorrectionFound{};
+    });
+    return chromosomes;
+  }
+
   Plan plan(const Problem& problem, RunContext& run) const {
     return plan_on_corrections(problem, run, values_.number("corridor"), [&](const CorrectionTask& task) {
       const RoutePrice price = price_of(problem, task);
@@ -71,6 +87,15 @@ class CorrectionGa {
 
   Evolved breed_chromosomes(const Problem& problem, const CorrectionTask& task, const RoutePrice& price,
                             RunContext& run) const {
+    Evolved evolved;
+    with_chromosomes(problem, task, price,
+                     [&](const FixedBreeder& breeder) { evolved = evolve(breeder, evolution(), run); });
+    return evolved;
+  }
+
+  template <class Use>
+  void with_chromosomes(const Problem& problem, const CorrectionTask& task, const RoutePrice& price,
+                        const Use& use) const {
     const double direct_m = task.graph.length(task.graph.start(), task.graph.goal());
     const GeneRectangle rectangle(task.graph, values_.number("rectangle_width") * direct_m, count("cells"));
     const SampledCost cost = sampled_cost(problem, price);
@@ -80,7 +105,7 @@ class CorrectionGa {
                                 .crossover = rate("pr1", "pr2"),
                                 .mutation = rate("pm1", "pm2"),
                                 .elite = count("elite")});
-    return evolve(breeder, evolution(), run);
+    use(breeder);
   }
 
   SampledCost sampled_cost(const Problem& problem, const RoutePrice& price) const {
@@ -112,6 +137,13 @@ class CorrectionGa {
 };
 
 }  // namespace
+
+std::vector<std::vector<int>> first_chromosomes(const Problem& problem, const ParamValues& parameters,
+                                                std::size_t count) {
+  Executor alone(1);
+  RunContext run(alone, {});
+  return CorrectionGa(parameters).first(problem, count, run);
+}
 
 PlannerEntry correction_ga_entry() {
   return {.name = "correction-ga",

@@ -1,6 +1,7 @@
 #include "plan/correction_ga_parameters.hpp"
 
 #include "plan/correction_parameters.hpp"
+#include "plan/parameter_values.hpp"
 
 namespace alate {
 
@@ -8,9 +9,6 @@ namespace {
 
 constexpr const char* kPaper = "Zhou et al. 2020, problem 1";
 constexpr const char* kGap = "alate: Zhou et al. 2020 leave it open";
-
-std::int64_t whole(std::int64_t value) { return value; }
-std::string word(const char* text) { return text; }
 
 std::vector<Parameter> common_parameters() {
   return {
@@ -116,7 +114,7 @@ std::vector<Parameter> chromosome_parameters() {
        .min = 1,
        .max = 100000,
        .help = "fixed: m, cells of the rectangle, one after the other along the line from start to goal.",
-       .source = kPaper},
+       .source = "Zhou et al. 2020, m; not printed"},
       {.name = "rectangle_width",
        .default_value = 0.2,
        .min = 0,
@@ -145,25 +143,25 @@ std::vector<Parameter> chromosome_parameters() {
        .min = 0,
        .max = 1,
        .help = "fixed: greatest rate of crossover.",
-       .source = kPaper},
+       .source = "Zhou et al. 2020, Pr1; the value, which is not printed, is a usual one"},
       {.name = "pr2",
        .default_value = 0.6,
        .min = 0,
        .max = 1,
        .help = "fixed: least rate of crossover.",
-       .source = kPaper},
+       .source = "Zhou et al. 2020, Pr2; the value, which is not printed, is a usual one"},
       {.name = "pm1",
        .default_value = 0.1,
        .min = 0,
        .max = 1,
        .help = "fixed: greatest rate of mutation of a gene.",
-       .source = kPaper},
+       .source = "Zhou et al. 2020, Pm1; the value, which is not printed, is a usual one"},
       {.name = "pm2",
        .default_value = 0.001,
        .min = 0,
        .max = 1,
        .help = "fixed: least rate of mutation of a gene.",
-       .source = kPaper},
+       .source = "Zhou et al. 2020, Pm2; the value, which is not printed, is a usual one"},
   };
 }
 

@@ -3,16 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "plan/correction_plan.hpp"
+#include "space/candidates.hpp"
 #include "space/relaxed_to_go.hpp"
 
 namespace alate {
 
 namespace {
-
-constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
 
 std::vector<CorrectionPoint> points_of(const CorrectionGraph& graph, const PointString& string) {
   std::vector<CorrectionPoint> points;
@@ -42,7 +40,7 @@ class Wrapping {
     bound_m_ = whole.length(whole.start(), whole.goal());
     if (run_.keep_going()) {
       bound_m_ = std::max(bound_m_, shortest);
-      if (shortest == kInfinite_m) return without_way();
+      if (shortest == kInfinity) return without_way();
       search_in(corridor > 0 ? whole.within(corridor * shortest) : whole, search);
     }
     return finish();
@@ -52,7 +50,7 @@ class Wrapping {
   static constexpr double kHair = 1e-12;  ///< A sum of legs in another order.
 
   void search_in(const CorrectionGraph& graph, const CorrectionSearch& search) {
-    const double range_m = problem_.vehicle.range_m.value_or(kInfinite_m);
+    const double range_m = problem_.vehicle.range_m.value_or(kInfinity);
     CorrectionFound found = search({.graph = graph, .price = price_of(problem_, graph)});
     bound_m_ = std::max(bound_m_, found.bound_m);
     plan_.history = std::move(found.history);
@@ -83,7 +81,7 @@ class Wrapping {
   }
 
   Plan finish() {
-    if (bound_m_ < kInfinite_m) plan_.lower_bound = problem_.objective.length * bound_m_ * (1 - kHair);
+    if (bound_m_ < kInfinity) plan_.lower_bound = problem_.objective.length * bound_m_ * (1 - kHair);
     plan_.stop = run_.stop();
     plan_.reproducible = plan_.stop != Stop::deadline && plan_.stop != Stop::cancelled;
     plan_.counters["iterations"] = run_.iterations();

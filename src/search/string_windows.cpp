@@ -89,8 +89,8 @@ class Filling {
 struct Improver {
   Filling filling;
   Trip trip;
-  Trip trial = {};
-  PointString changed = {};
+  Trip trial;
+  PointString changed;
 
   bool replace(const CorrectionGraph& graph, PointString& points, const Window& window) {
     if (!filling.find(trip, window)) return false;

@@ -48,7 +48,7 @@ ALATE_SIMD void measure_to(const Vec3& goal, Candidates& out) {
 
 }  // namespace
 
-void place_candidates(const RotationSet& rotations, const Pose& pose, double step_m, const Vec3& goal,
+void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, const Vec3& goal,
                       Candidates& out) {
   out.resize(rotations.size());
   const auto axis = [&](int i) {

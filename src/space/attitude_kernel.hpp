@@ -11,13 +11,13 @@
 namespace alate {
 
 /// Where the aircraft is before the move.
-struct Pose {
+struct BodyPose {
   Vec3 position;
   Mat3 attitude;
 };
 
 /// Fills directions F B_k e_x, ends p + s F B_k e_x and distances to the goal.
-void place_candidates(const RotationSet& rotations, const Pose& pose, double step_m, const Vec3& goal, Candidates& out);
+void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, const Vec3& goal, Candidates& out);
 
 /// What a leg may do, written so that the test needs no trigonometry.
 struct LegLimits {

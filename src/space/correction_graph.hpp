@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "alate/world/world.hpp"
@@ -156,7 +157,7 @@ class CorrectionGraph {
     int whole(double v) const { return static_cast<int>(std::clamp(std::floor(v / cell_m), -1.0, 1e9)); }
   };
 
-  CorrectionGraph(const Navigation& limits, const World* world) : limits_(limits), world_(world) {}
+  CorrectionGraph(Navigation limits, const World* world) : limits_(std::move(limits)), world_(world) {}
   /// The points for which keep(i).
   template <class Keep>
   CorrectionGraph part(Keep&& keep) const {

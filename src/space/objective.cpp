@@ -57,7 +57,7 @@ double Objective::route_cost(const Route& route) const {
   return cost;
 }
 
-void Objective::add_costs(const Pose& pose, Candidates& out) const {
+void Objective::add_costs(const BodyPose& pose, Candidates& out) const {
   if (is_of_nodes()) {
     add_node_costs(weights_.fuel, threats_, out);
     return;

@@ -28,7 +28,7 @@ class Objective {
   double route_cost(const Route& route) const;
 
   /// Fills costs of candidates of one expansion; those out of K stay infinite.
-  void add_costs(const Pose& pose, Candidates& out) const;
+  void add_costs(const BodyPose& pose, Candidates& out) const;
 
   const ObjectiveSpec& weights() const { return weights_; }
   const std::vector<NodeThreat>& node_threats() const { return threats_; }

@@ -1,5 +1,7 @@
 #include "study/experiment.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <mutex>
 
 namespace alate {
@@ -26,7 +28,9 @@ std::vector<Task> tasks_of(const std::vector<Experiment*>& experiments) {
 void run_task(const Task& task, const std::stop_token& stop) {
   Executor alone(1);
   RunContext context(alone, {.iterations = task.method->iterations, .seed = task.run->seed, .stop = stop});
-  task.run->plan = task.planner->planner.plan(Problem(task.problem->world), context);
+  Problem problem(task.problem->world);
+  problem.front = task.method->front;
+  task.run->plan = task.planner->planner.plan(problem, context);
   task.run->wall_s = context.elapsed_s();
   const Route& route = task.run->plan.route;
   task.run->metrics = measure(task.problem->site(), route);
@@ -91,6 +95,12 @@ Cell Experiment::cell(const Trial& trial) const {
     cell.best = summary->least;
   }
   return cell;
+}
+
+std::size_t method_index(const Experiment& experiment, std::string_view name) {
+  const auto found = std::ranges::find(experiment.methods, name, &StudyMethod::name);
+  assert(found != experiment.methods.end());
+  return static_cast<std::size_t>(found - experiment.methods.begin());
 }
 
 Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "alate/check/check.hpp"
@@ -26,6 +27,7 @@ struct StudyMethod {
   std::string help;
   PlannerRequest request;
   std::optional<std::uint64_t> iterations;  ///< None: the planner's default.
+  bool front = false;                       ///< Ask for the whole Pareto front.
 };
 
 struct StudyRun {
@@ -62,6 +64,9 @@ struct Experiment {
   const Trial* best_trial(std::size_t case_index) const;
   Cell cell(const Trial& trial) const;
 };
+
+/// Index of the method called `name`.
+std::size_t method_index(const Experiment& experiment, std::string_view name);
 
 /// Every method on every case, with nothing run yet. Planners that no seed changes get one run, the others `seeds`.
 /// Throws InputError if a planner cannot serve a case.

@@ -84,7 +84,10 @@ const std::vector<Mutation> kMutations{
        site.navigation->at_vertical.horizontal = 10.5;
        site.navigation->points[1].position.y() = route.states[2].position.y() = 4000;
      }},
-    {"ACorrectionIsLeftOut", {"horizontal_error"}, {3, 4}, [](Site&, Route& route) { route.states[2].point_id.reset(); }},
+    {"ACorrectionIsLeftOut",
+     {"horizontal_error"},
+     {3, 4},
+     [](Site&, Route& route) { route.states[2].point_id.reset(); }},
     {"FastDrift", {"vertical_error"}, {2, 3, 4}, [](Site& site, Route&) { site.navigation->drift_vertical = 0.00151; }},
     {"ErrorAtTheGoal", {"final_error"}, {5}, [](Site& site, Route&) { site.navigation->theta = 19.9; }},
     {"ThetaIsExcluded", {"final_error"}, {5}, [](Site& site, Route&) { site.navigation->theta = 20; }},

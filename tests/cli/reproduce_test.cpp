@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "program.hpp"
+#include "support/shared_data.hpp"
 
 namespace alate::test {
 
@@ -41,6 +42,29 @@ TEST(Reproduce, TellsAllFaultsAtOnce) {
   EXPECT_EQ(done.code, 2);
   expect_contains(done.err, {"did you mean konatowski2019?", "--seeds", "1 to 1000", "--threads", "--iterations",
                              "is not a folder", "did you mean --seeds?"});
+}
+
+TEST(Reproduce, NamesTheDataThatAreMissing) {
+  const TempFolder folder;
+  const Finished done = alate({"reproduce", "zhou2020", "--data", folder.path().string()});
+  EXPECT_EQ(done.code, 2);
+  expect_contains(done.err, {(folder / "set1.csv").string(), (folder / "set2.csv").string(), "--data"});
+}
+
+TEST(Reproduce, JudgesPublishedRoutes) {
+  ALATE_NEEDS_SHARED_DATA("correction-points");
+  const std::string data = shared_data("correction-points").string();
+  const Finished done = alate({"reproduce", "zhou2020", "--data", data, "--seeds", "1", "--iterations", "2", "--json"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const Json claims = Json::parse(done.out).at("claims");
+  const auto verdict = [&](std::string_view id) {
+    for (const Json& claim : claims)
+      if (claim.at("id") == id) return claim.at("verdict").get<std::string>();
+    return std::string("not there");
+  };
+  EXPECT_EQ(verdict("table-2"), "impossible");
+  EXPECT_EQ(verdict("prize-1"), "holds");
+  EXPECT_EQ(verdict("niu-1"), "cannot_be_told");
 }
 
 TEST(Reproduce, NeedsAPaper) {

@@ -24,6 +24,8 @@ struct Law {
   std::string problem;
 };
 
+void PrintTo(const Law& one, std::ostream* out) { *out << one.planner << ' ' << one.preset << ' ' << one.problem; }
+
 const std::map<std::string, Site>& problems() {
   static const std::map<std::string, Site> kProblems = [] {
     std::map<std::string, Site> all{{"open_air", test::open_air_site()},

@@ -101,8 +101,10 @@ TEST(PointsFile, EveryFaultIsToldAtOnceWithItsPlace) {
             "p.csv:6:21: success: out of range (got 1.5, allowed 0 to 1)\n"
             "p.csv:7: wrong number of columns (got 6, allowed 7)\n"
             "p.csv:8:20: success: must be 1 or nothing where may_fail is 0 (got 0.5, allowed 1)\n"
+            "p.csv:8:1: id: another point has this id (got 1)\n"
             "p.csv:9:1: id: another point has this id (got 1)\n"
-            "p.csv:10:9: kind: point 1 is that already (got start, allowed one start)\n");
+            "p.csv:10:9: kind: point 1 is that already (got start, allowed one start)\n"
+            "p.csv: kind: the points have a start but no end (allowed one start and one end, or neither)\n");
 }
 
 TEST(PointsFile, HeadersAreJudged) {

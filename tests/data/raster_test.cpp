@@ -194,6 +194,8 @@ struct SharedTerrain {
   std::size_t voids;
 };
 
+void PrintTo(const SharedTerrain& one, std::ostream* out) { *out << one.file; }
+
 class SharedTerrains : public testing::TestWithParam<SharedTerrain> {};
 
 TEST_P(SharedTerrains, OpensWithItsHeights) {

@@ -98,7 +98,7 @@ TEST_F(Chromosomes, BeginInsideTheRectangleInOrderAndNeverRepeatAPoint) {
       EXPECT_GE(one.cost, fly(graph_, one.genes).length_m);
     }
     EXPECT_EQ(born[0].cost, std::ranges::min_element(population, {}, &Individual::cost)->cost);
-    breeder.survive(population, born);
+    FixedBreeder::survive(population, born);
   }
 }
 

@@ -76,14 +76,13 @@ TEST_F(Strings, ARepairKeepsTheHeadDrawsFreshPointsAndJoinsTheTail) {
   EXPECT_GT(grown, 150);
 }
 
-TEST_F(Strings, TheCheapestLiveOnEachRouteOnce) {
-  const Nursery nursery(draw_corrections(CorrectionLaw::set1, 100, 1), run_);
+TEST(Survival, TheCheapestLiveOnEachRouteOnce) {
   const auto one = [](double cost, CorrectionGraph::Node gene) {
     return Individual{.genes = {gene}, .cost = cost, .price = cost};
   };
   Population population{one(5, 1), one(3, 2), {}};
   Population born{one(3, 2), one(3, 4), one(4, 5)};
-  nursery.breeder.survive(population, born);
+  StringBreeder::survive(population, born);
   ASSERT_EQ(population.size(), 3U);
   EXPECT_EQ(population[0].genes, PointString{2});
   EXPECT_EQ(population[1].genes, PointString{4});

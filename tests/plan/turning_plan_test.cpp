@@ -70,6 +70,7 @@ TEST(TurningPlan, BeginsWithTheStartsHeading) {
 TEST(TurningPlan, SaysThatOnlyTheTurnsForbidIt) {
   Site site;
   site.scenario.objective.climb = 0;
+  site.mission.start = Vec3::Zero();
   site.mission.goal = {10000, 300, 0};
   site.navigation = Navigation{.points = {{.id = 4, .position = {10000, 0, 0}, .kind = PointKind::vertical}},
                                .drift_vertical = 0.00119,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <initializer_list>
+#include <ostream>
 #include <vector>
 
 #include "alate/data/site.hpp"
@@ -98,5 +99,7 @@ struct LayoutCase {
   double fuel;
   double best_known;
 };
+
+inline void PrintTo(const LayoutCase& one, std::ostream* out) { *out << one.name; }
 
 }  // namespace alate::test

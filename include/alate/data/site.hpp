@@ -36,10 +36,10 @@ struct Threat {
 
 /// Where the flight begins and ends.
 struct Mission {
-  Vec3 start;
+  Vec3 start = Vec3::Zero();
   double heading_rad = 0;  ///< Clockwise from +y.
   bool heading_given = false;
-  Vec3 goal;
+  Vec3 goal = Vec3::Zero();
   double tolerance_m = 0;
 };
 

@@ -64,8 +64,10 @@ struct Reproduction {
 };
 
 struct ReproduceOptions {
-  std::uint64_t seeds = 10;                 ///< >= 1; seeds 1 to this. Planners without chance run once.
+  std::optional<std::uint64_t> seeds;       ///< >= 1; seeds 1 to this; none: as the paper's study asks. Planners
+                                            ///< without chance run once.
   std::optional<std::uint64_t> iterations;  ///< Of colonies; none: as published.
+  std::string data;                         ///< Folder of published data that alate does not ship.
   std::stop_token stop;
   std::function<void(const Progress&)> on_progress;  ///< Called by one thread at a time; an iteration is a run.
 };

@@ -16,24 +16,10 @@ namespace alate::konatowski2019 {
 
 namespace {
 
-std::string fact(const std::string& value, const std::string& name) {
-  return fmt::format("<li><b>{}</b><span>{}</span></li>\n", value, name);
-}
-
 std::string facts(const Study& study, const Reproduction& result) {
-  std::string items;
-  for (const ClaimVerdict verdict :
-       {ClaimVerdict::holds, ClaimVerdict::does_not_hold, ClaimVerdict::impossible, ClaimVerdict::cannot_be_told}) {
-    const auto count = std::ranges::count(result.claims, verdict, &Claim::verdict);
-    items += fact(fmt::format("{}", count), (count == 1 ? "claim: " : "claims: ") + verdict_words(verdict));
-  }
-  std::size_t runs = 0;
-  for (const Cell& cell : result.cells) runs += cell.runs;
-  items += fact(fmt::format("{}", runs), "runs");
   const Duel guided = duel(study, kGuided, kLiteral);
-  items += fact(fmt::format("{} of {}", guided.won, guided.cells),
-                fmt::format("cells where {} beats {}", kGuided, kLiteral));
-  return fmt::format("<ul class=\"facts\">\n{}</ul>\n", items);
+  return verdict_facts(result, fact(fmt::format("{} of {}", guided.won, guided.cells),
+                                    fmt::format("cells where {} beats {}", kGuided, kLiteral)));
 }
 
 std::string introduction() {
@@ -45,19 +31,6 @@ std::string introduction() {
          "which "
          "cannot be read off: layouts A, C and F are ours, so its absolute costs cannot be told. What follows from its "
          "formulas and its printed numbers can.</p>\n";
-}
-
-std::string settings_section(const Reproduction& result) {
-  std::vector<std::pair<std::string, std::string>> rows;
-  for (const auto& [name, value] : result.settings) {
-    const std::string text = xml_escape(to_text(value));
-    rows.emplace_back(name, name.starts_with("layout ") ? fmt::format("<pre>{}</pre>", text) : text);
-  }
-  return "<p class=\"lead\">Each run has one thread; times are of planning alone, and are longer if the machine had "
-         "other "
-         "work. Costs are what the independent check measures, and only routes that it passed are counted. A standard "
-         "deviation is of the sample. Planners without chance run once.</p>\n" +
-         pairs_table(rows);
 }
 
 }  // namespace

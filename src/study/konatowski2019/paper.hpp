@@ -29,6 +29,7 @@ inline constexpr std::array<Published, 3> kPublished{
 inline constexpr double kPublishedRounding = 0.005;  ///< Costs are printed to two digits.
 inline constexpr double kGainRounding = 0.05;        ///< Gains to one.
 
+inline constexpr std::uint64_t kSeeds = 10;
 inline constexpr std::uint64_t kIterations = 180;
 inline constexpr double kEvaporation = 0.8;
 inline constexpr double kDeposit = 50;  ///< Q.

@@ -1,7 +1,6 @@
 #include "study/konatowski2019/study.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace alate::konatowski2019 {
 
@@ -25,14 +24,8 @@ Study plan_study(const ReproduceOptions& options) {
     for (const Published& row : kPublished) cases.push_back(make_case(layout, row));
   std::vector<StudyCase> open;
   open.push_back(make_case(open_layout(), kPublished.back()));
-  return {.main = plan_experiment(std::move(cases), methods(options.iterations), options.seeds),
-          .open = plan_experiment(std::move(open), methods_in_the_open(options), options.seeds)};
-}
-
-std::size_t method_index(const Experiment& experiment, std::string_view name) {
-  const auto found = std::ranges::find(experiment.methods, name, &StudyMethod::name);
-  assert(found != experiment.methods.end());
-  return static_cast<std::size_t>(found - experiment.methods.begin());
+  return {.main = plan_experiment(std::move(cases), methods(options.iterations), options.seeds.value_or(kSeeds)),
+          .open = plan_experiment(std::move(open), methods_in_the_open(options), options.seeds.value_or(kSeeds))};
 }
 
 const Trial& Study::trial(std::size_t layout, std::size_t row, std::string_view method) const {

@@ -20,9 +20,6 @@ struct Study {
 /// Nothing run yet.
 Study plan_study(const ReproduceOptions& options);
 
-/// Index of the method called `name`.
-std::size_t method_index(const Experiment& experiment, std::string_view name);
-
 /// By how many percent `to` lies below `from`.
 double gain_percent(double from, double to);
 

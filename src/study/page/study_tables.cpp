@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "out/report/tables.hpp"
 #include "out/text.hpp"
 
 namespace alate {
@@ -123,6 +124,35 @@ std::string defects_list(const std::vector<Defect>& defects) {
         fmt::format("<li><b>{}</b><p>{}</p>{}</li>\n", xml_escape(defect.title), xml_escape(defect.text), measured);
   }
   return items.empty() ? "" : fmt::format("<ul class=\"defects\">\n{}</ul>\n", items);
+}
+
+std::string fact(const std::string& value, const std::string& name) {
+  return fmt::format("<li><b>{}</b><span>{}</span></li>\n", value, name);
+}
+
+std::string verdict_facts(const Reproduction& result, const std::string& more) {
+  std::string items;
+  for (const ClaimVerdict verdict :
+       {ClaimVerdict::holds, ClaimVerdict::does_not_hold, ClaimVerdict::impossible, ClaimVerdict::cannot_be_told}) {
+    const auto count = std::ranges::count(result.claims, verdict, &Claim::verdict);
+    items += fact(fmt::format("{}", count), (count == 1 ? "claim: " : "claims: ") + verdict_words(verdict));
+  }
+  std::size_t runs = 0;
+  for (const Cell& cell : result.cells) runs += cell.runs;
+  items += fact(fmt::format("{}", runs), "runs") + more;
+  return fmt::format("<ul class=\"facts\">\n{}</ul>\n", items);
+}
+
+std::string settings_section(const Reproduction& result) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [name, value] : result.settings) {
+    const std::string text = xml_escape(to_text(value));
+    rows.emplace_back(name, name.starts_with("layout ") ? fmt::format("<pre>{}</pre>", text) : text);
+  }
+  return "<p class=\"lead\">Each run has one thread; times are of planning alone, and are longer if the machine had "
+         "other work. Costs are what the independent check measures, and only routes that it passed are counted. A "
+         "standard deviation is of the sample. Planners without chance run once.</p>\n" +
+         pairs_table(rows);
 }
 
 }  // namespace alate

@@ -17,6 +17,15 @@ std::string cells_table(const std::vector<Cell>& cells);
 
 std::string defects_list(const std::vector<Defect>& defects);
 
+/// One figure of the row at the top of a page. Both are HTML already.
+std::string fact(const std::string& value, const std::string& name);
+
+/// How many claims hold and how many do not, how many runs; `more` facts after them.
+std::string verdict_facts(const Reproduction& result, const std::string& more = {});
+
+/// All that is needed to do it again.
+std::string settings_section(const Reproduction& result);
+
 /// A table with heads for words and for numbers. `rows` are HTML already, heads are escaped.
 std::string study_table(const std::vector<std::string>& words, const std::vector<std::string>& numbers,
                         const std::string& rows);
