@@ -40,7 +40,8 @@ void kernel(benchmark::State& state) {
   const Pose from = pose();
   Candidates candidates;
   for (auto _ : state) {
-    place_candidates(rotations, from, kStep, kGoal, candidates);
+    place_candidates(rotations, from, kStep, candidates);
+    measure_to_goal(kGoal, candidates);
     set_base_costs({.step_m = kStep, .before = kStep * from.attitude.col(0)}, candidates);
     add_node_costs(kFuel, spheres, candidates);
     benchmark::DoNotOptimize(candidates.cost.data());

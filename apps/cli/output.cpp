@@ -60,8 +60,8 @@ std::string describe(const Site& site, const Metrics& metrics) {
   if (metrics.corrections) text += row("corrections", fmt::format("{}", *metrics.corrections));
   if (metrics.probability) text += row("success", fmt::format("{:.2f} %", 100 * *metrics.probability));
   if (const auto& grid = metrics.grid) {
-    text += row("grid", fmt::format("{} turns, deviation of height {:.4f} m, composite index {:.2f}", grid->turns,
-                                    grid->height_deviation_m, composite_index(*grid)));
+    text += row("grid", fmt::format("{:.4f} cells, {} turns, deviation of height {:.4f} m, composite index {:.2f}",
+                                    grid->length_cells, grid->turns, grid->height_deviation_m, composite_index(*grid)));
   }
   if (metrics.min_clearance_m)
     text += row("clearance", fmt::format("{:.1f} m above ground at the lowest", *metrics.min_clearance_m));

@@ -28,8 +28,9 @@ Range1 cells_at(double coordinate, double slack) {
 void add_crossings(double a, double b, double length, double cell_m, std::vector<double>& crossings) {
   if (a == b) return;
   const auto [low, high] = std::minmax(a, b);
-  for (double line = std::ceil(low / cell_m); line * cell_m <= high; ++line)
-    crossings.push_back((line * cell_m - a) / (b - a) * length);
+  const int last = static_cast<int>(std::floor(high / cell_m));
+  for (int line = static_cast<int>(std::ceil(low / cell_m)); line <= last; ++line)
+    crossings.push_back(std::clamp((line * cell_m - a) / (b - a), 0.0, 1.0) * length);
 }
 
 bool is_free(const HeightGrid& grid, const GridCell& cell) {
@@ -51,7 +52,8 @@ std::span<const GridCell> cells_of(const Stretch& stretch) { return {stretch.cel
 
 Stretch GridWalk::stretch(const Vec2& begin, const Vec2& end) const {
   Stretch result{.begin = begin, .middle = (begin + end) / 2};
-  const Vec2 place = result.middle / grid_.cell_m;
+  const Vec2 farthest(grid_.columns + 2, grid_.rows + 2);
+  const Vec2 place = (result.middle / grid_.cell_m).cwiseMax(-2).cwiseMin(farthest);
   const double slack = kRoundingNoise / grid_.cell_m;
   const Range1 columns = cells_at(place.x(), slack);
   const Range1 rows = cells_at(place.y(), slack);

@@ -113,7 +113,7 @@ std::optional<Vec3> locate_end(const Site& site, const GivenEnd& given, SiteFaul
     return std::nullopt;
   }
   if (!point) return locate(site, place, field, faults);
-  const auto by_points = place_in(site, *point, faults);
+  auto by_points = place_in(site, *point, faults);
   if (!by_points || !place.given()) return by_points;
   const auto by_scenario = locate(site, place, field, faults);
   if (!by_scenario) return std::nullopt;

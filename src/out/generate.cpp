@@ -20,7 +20,7 @@ constexpr const char* kPointsFile = "points.csv";
 constexpr const char* kScenarioFile = "scenario.yaml";
 
 CorrectionLaw law_named(const std::string& name) {
-  const auto found = std::ranges::find(kLaws, name);
+  const auto* const found = std::ranges::find(kLaws, name);
   if (found == kLaws.end()) throw InputError(unknown_name({.file = "--law"}, "law", name, correction_laws()));
   return static_cast<CorrectionLaw>(found - kLaws.begin());
 }

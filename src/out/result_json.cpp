@@ -65,18 +65,18 @@ Json no_verdict() {
 }
 
 Json metrics_json(const Metrics* metrics) {
-  const GridMeasures* grid = metrics && metrics->grid ? &*metrics->grid : nullptr;
+  const GridMeasures* grid = metrics != nullptr && metrics->grid ? &*metrics->grid : nullptr;
   const auto value = [&](double Metrics::* member) { return metrics ? number(metrics->*member) : Json(); };
   return {{"length_m", value(&Metrics::length_m)},
           {"climb_m", value(&Metrics::climb_m)},
           {"descent_m", value(&Metrics::descent_m)},
           {"threat", value(&Metrics::threat)},
-          {"min_clearance_m", metrics ? number(metrics->min_clearance_m) : Json()},
-          {"corrections", metrics && metrics->corrections ? Json(*metrics->corrections) : Json()},
-          {"probability", metrics ? number(metrics->probability) : Json()},
-          {"height_dev", grid ? number(grid->height_deviation_m) : Json()},
-          {"turns", grid ? Json(grid->turns) : Json()},
-          {"composite", grid ? number(composite_index(*grid)) : Json()}};
+          {"min_clearance_m", metrics != nullptr ? number(metrics->min_clearance_m) : Json()},
+          {"corrections", metrics != nullptr && metrics->corrections ? Json(*metrics->corrections) : Json()},
+          {"probability", metrics != nullptr ? number(metrics->probability) : Json()},
+          {"height_dev", grid != nullptr ? number(grid->height_deviation_m) : Json()},
+          {"turns", grid != nullptr ? Json(grid->turns) : Json()},
+          {"composite", grid != nullptr ? number(composite_index(*grid)) : Json()}};
 }
 
 Json front_json(const std::vector<FrontPoint>& front) {

@@ -8,8 +8,6 @@ namespace alate {
 
 namespace {
 
-constexpr const char* kPaper = "Konatowski, Pawlowski 2019, section 4";
-
 std::vector<Parameter> walk_parameters() {
   return {
       ants_parameter(40, "alate: the paper leaves it open"),

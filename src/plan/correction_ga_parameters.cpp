@@ -133,6 +133,11 @@ std::vector<Parameter> chromosome_parameters() {
        .max = 1000,
        .help = "fixed: so many best live on unchanged.",
        .source = kGap},
+  };
+}
+
+std::vector<Parameter> rate_parameters() {
+  return {
       {.name = "rates",
        .default_value = word("adaptive"),
        .choices = {"adaptive", "constant"},
@@ -216,8 +221,8 @@ std::vector<Parameter> cost_parameters() {
 
 std::vector<Parameter> correction_ga_parameters() {
   std::vector<Parameter> all = common_parameters();
-  for (const auto& part :
-       {variable_parameters(), window_parameters(), choice_parameters(), chromosome_parameters(), cost_parameters()})
+  for (const auto& part : {variable_parameters(), window_parameters(), choice_parameters(), chromosome_parameters(),
+                           rate_parameters(), cost_parameters()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -78,7 +78,7 @@ bool settle(const Problem& problem, const FrontResult& found, Plan& plan) {
 
 /// Exact: A* on labels for the shortest route, layers of labels for the front; branch and bound where legs turn.
 struct LabelSettingPlanner {
-  Plan plan(const Problem& problem, RunContext& run) const {
+  static Plan plan(const Problem& problem, RunContext& run) {
     Plan plan{.seed = run.seed(), .why = "stopped before any route reached the goal"};
     if (run.start_iteration(1)) {
       const CorrectionGraph graph(problem.world);

@@ -159,7 +159,8 @@ MoveMatrices move_matrices(const RotationSet& rotations) {
   MoveMatrices result;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      AlignedFloats& array = result[static_cast<std::size_t>(3 * row + column)];
+      const int place = 3 * row + column;
+      AlignedFloats& array = result[static_cast<std::size_t>(place)];
       array.resize(padded_size(rotations.size()));
       for (std::size_t k = 0; k < rotations.size(); ++k)
         array[k] = static_cast<float>(rotations.matrix(k)(row, column));
@@ -168,7 +169,7 @@ MoveMatrices move_matrices(const RotationSet& rotations) {
   return result;
 }
 
-AntPose::AntPose(const Vec3& from_start, const Mat3& f) {
+AntPose::AntPose(const Vec3& from_start, const Mat3& f) : position(), attitude() {
   for (int i = 0; i < 3; ++i) {
     const auto row = static_cast<std::size_t>(i);
     position[row] = static_cast<float>(from_start[i]);
@@ -227,16 +228,14 @@ float start_tails(float cost_before, float tolerance, const Choices& ends, TailS
   return add_sums(tolerance, ends, sums);
 }
 
-float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
-                    Choices& nodes, TailSums& sums) {
-  place_tail(attitudes, q, ends, nodes);
+float add_tail_node(const NodeModel& model, const TailStep& step, Choices& nodes, TailSums& sums) {
+  place_tail(step.attitudes, step.node, step.ends, nodes);
   price_choices(model, nodes);
   return add_sums(model.tolerance, nodes, sums);
 }
 
-void measure_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
-                       Choices& nodes) {
-  place_tail(attitudes, q, ends, nodes);
+void measure_tail_node(const NodeModel& model, const TailStep& step, Choices& nodes) {
+  place_tail(step.attitudes, step.node, step.ends, nodes);
   price_goal(model, nodes);
 }
 

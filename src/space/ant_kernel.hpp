@@ -21,7 +21,7 @@ struct AntPose {
   std::array<float, 3> position;
   std::array<float, 9> attitude;
 
-  AntPose(const Vec3& from_start, const Mat3& attitude);
+  AntPose(const Vec3& from_start, const Mat3& f);
 };
 
 /// x = p + s F B_k e_x: Konatowski, Pawlowski 2019, eqs. (15)-(25).
@@ -62,13 +62,18 @@ struct TailSums {
 /// Begins with the choices themselves. Returns as add_tail_node does.
 float start_tails(float cost_before, float tolerance, const Choices& ends, TailSums& sums);
 
+/// One node of the tail, and what it is flown behind. Borrows all.
+struct TailStep {
+  const MoveMatrices& attitudes;
+  const TailNode& node;
+  const Choices& ends;
+};
+
 /// Flies one more node of the tail behind every choice: place (end of k) + F B_k q, in `nodes`. Returns the least sum
 /// that those which have not arrived yet can still reach (sum + h).
-float add_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
-                    Choices& nodes, TailSums& sums);
+float add_tail_node(const NodeModel& model, const TailStep& step, Choices& nodes, TailSums& sums);
 
 /// Only places the node, and measures how far it is from the goal.
-void measure_tail_node(const NodeModel& model, const MoveMatrices& attitudes, const TailNode& q, const Choices& ends,
-                       Choices& nodes);
+void measure_tail_node(const NodeModel& model, const TailStep& step, Choices& nodes);
 
 }  // namespace alate

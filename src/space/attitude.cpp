@@ -74,7 +74,8 @@ AttitudeState AttitudeSpace::start() const {
 
 void AttitudeSpace::expand(const State& state, Candidates& out) const {
   const BodyPose pose{.position = state.position, .attitude = state.attitude};
-  place_candidates(rotations_, pose, step_m_, site_.mission.goal, out);
+  place_candidates(rotations_, pose, step_m_, out);
+  measure_to_goal(site_.mission.goal, out);
   set_base_costs(base_costs(state), out);
   objective_.add_costs(pose, out);
   fill_guide(out);

@@ -93,13 +93,13 @@ void AttitudeAnts::price_nodes(const Branch& branch, const AntPose& pose, TailPr
   float least = start_tails(static_cast<float>(branch.cost_before), nodes_.tolerance, out.ends, out.sums);
   for (const TailNode& node : branch.nodes) {
     if (least >= static_cast<float>(branch.limit)) break;
-    least = add_tail_node(nodes_, out.attitudes, node, out.ends, out.nodes, out.sums);
+    least = add_tail_node(nodes_, {out.attitudes, node, out.ends}, out.nodes, out.sums);
   }
 }
 
 void AttitudeAnts::price_flights(const Branch& branch, TailPrices& out) const {
   const TailNode last = branch.nodes.empty() ? TailNode{} : branch.nodes.back();
-  measure_tail_node(nodes_, out.attitudes, last, out.ends, out.nodes);
+  measure_tail_node(nodes_, {out.attitudes, last, out.ends}, out.nodes);
   out.sums.total.assign(out.ends.x.size(), std::numeric_limits<float>::infinity());
   for (std::size_t k = 0; k < actions(); ++k)
     if (out.nodes.to_goal[k] <= nodes_.tolerance) out.sums.total[k] = static_cast<float>(fly_tail(branch, k));

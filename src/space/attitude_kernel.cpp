@@ -15,13 +15,14 @@ constexpr double kSlack = 1e-9;
 struct Axis {
   double f0, f1, f2;
   double from;
+  double step_m;
 };
 
-ALATE_SIMD void place_along(const RotationSet& rotations, const Axis& axis, double step_m, AlignedDoubles& direction,
+ALATE_SIMD void place_along(const RotationSet& rotations, const Axis& axis, AlignedDoubles& direction,
                             AlignedDoubles& end) {
-  const auto body = [a = axis, step_m](double& u, double& x, double bx, double by, double bz) {
+  const auto body = [a = axis](double& u, double& x, double bx, double by, double bz) {
     u = a.f0 * bx + a.f1 * by + a.f2 * bz;
-    x = a.from + step_m * u;
+    x = a.from + a.step_m * u;
   };
   for_each_lane(body, direction, end, rotations.forward_x(), rotations.forward_y(), rotations.forward_z());
 }
@@ -39,25 +40,23 @@ struct Distance {
   }
 };
 
-ALATE_SIMD void measure_to(const Vec3& goal, Candidates& out) {
+}  // namespace
+
+void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, Candidates& out) {
+  out.resize(rotations.size());
+  const auto axis = [&](int i) {
+    return Axis{pose.attitude(i, 0), pose.attitude(i, 1), pose.attitude(i, 2), pose.position[i], step_m};
+  };
+  place_along(rotations, axis(0), out.ux, out.x);
+  place_along(rotations, axis(1), out.uy, out.y);
+  place_along(rotations, axis(2), out.uz, out.z);
+}
+
+ALATE_SIMD void measure_to_goal(const Vec3& goal, Candidates& out) {
   const auto body = [to = Distance{goal.x(), goal.y(), goal.z()}](double& to_goal, double x, double y, double z) {
     to_goal = to(x, y, z);
   };
   for_each_lane(body, out.to_goal, out.x, out.y, out.z);
-}
-
-}  // namespace
-
-void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, const Vec3& goal,
-                      Candidates& out) {
-  out.resize(rotations.size());
-  const auto axis = [&](int i) {
-    return Axis{pose.attitude(i, 0), pose.attitude(i, 1), pose.attitude(i, 2), pose.position[i]};
-  };
-  place_along(rotations, axis(0), step_m, out.ux, out.x);
-  place_along(rotations, axis(1), step_m, out.uy, out.y);
-  place_along(rotations, axis(2), step_m, out.uz, out.z);
-  measure_to(goal, out);
 }
 
 namespace {
@@ -81,7 +80,10 @@ struct LegTest {
     const double cross = std::abs(ax * by - ay * bx);
     const double denominator = before_m * after_m + (ax * bx + ay * by);
     const double usable_m = usable_before_m < after_m ? usable_before_m : after_m;
-    return (radius * cross <= 0.5 * usable_m * denominator) & (sine <= max_sine) & (sine >= min_sine);
+    // Not &&: no branch, so that the loop vectorises.
+    const int kept = static_cast<int>(radius * cross <= 0.5 * usable_m * denominator) &
+                     static_cast<int>(sine <= max_sine) & static_cast<int>(sine >= min_sine);
+    return kept != 0;
   }
 };
 

@@ -16,8 +16,11 @@ struct BodyPose {
   Mat3 attitude;
 };
 
-/// Fills directions F B_k e_x, ends p + s F B_k e_x and distances to the goal.
-void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, const Vec3& goal, Candidates& out);
+/// Fills directions F B_k e_x and ends p + s F B_k e_x.
+void place_candidates(const RotationSet& rotations, const BodyPose& pose, double step_m, Candidates& out);
+
+/// Fills the distances of the ends to the goal.
+void measure_to_goal(const Vec3& goal, Candidates& out);
 
 /// What a leg may do, written so that the test needs no trigonometry.
 struct LegLimits {

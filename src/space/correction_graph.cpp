@@ -83,7 +83,7 @@ void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKin
   }
   if (count == 0) return;
   const Vec2 extent = max - grid.min;
-  const double n = static_cast<double>(count);
+  const auto n = static_cast<double>(count);
   grid.cell_m = std::max({2 * std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
   grid.columns = grid.whole(extent.x()) + 1;
   grid.rows = grid.whole(extent.y()) + 1;

@@ -112,6 +112,8 @@ TEST(Grid, StandingStill) {
   EXPECT_EQ(broken_rules(check(site, through(site, {{1, 1}}))), std::set<std::string>{"terrain_clearance"});
   EXPECT_EQ(broken_rules(check(site, through(site, {{1, 1}, {1, 1}}))), std::set<std::string>{"terrain_clearance"});
   EXPECT_EQ(broken_rules(check(site, through(site, {{9, 9}}))), std::set<std::string>{"bounds"});
+  site.grid->cell_m = 0.01;
+  EXPECT_EQ(broken_rules(check(site, through(site, {{9e9, -9e9}}))), std::set<std::string>{"bounds"});
 }
 
 TEST(Grid, AChainOfTinyStepsHidesNothing) {

@@ -9,6 +9,7 @@ namespace alate {
 namespace {
 
 using test::kFullScenario;
+using test::kGridScenario;
 using test::kNavigationScenario;
 
 /// One to four random edits: bytes replaced, removed, doubled, or pieces put in that YAML gives a meaning.
@@ -54,6 +55,7 @@ TEST(ScenarioFuzz, MutatedFilesAreReadOrRefused) {
   std::mt19937 random(1);
   for (int i = 0; i < 5000; ++i) read_or_refuse(mutated(kFullScenario, random), {});
   for (int i = 0; i < 3000; ++i) read_or_refuse(mutated(kNavigationScenario, random), {});
+  for (int i = 0; i < 3000; ++i) read_or_refuse(mutated(kGridScenario, random), {});
 }
 
 TEST(ScenarioFuzz, MutatedOverridesAreReadOrRefused) {

@@ -57,6 +57,12 @@ inline const std::string kNavigationScenario = R"(navigation:
   turn_model: arc_tangent
 )";
 
+/// Every key of `grid` but the map.
+inline const std::string kGridScenario =
+    "grid: {random: {size: [30, 20], obstacles: 0.3, seed: 4}, heights: peaks, cell_m: 10}\n"
+    "start: {cell: [0, 19]}\n"
+    "goal: {cell: [29, 0]}\n";
+
 /// The least that is a scenario, in five lines, for a fault in an added line 6.
 inline const std::string kSmallScenario = R"(# small
 frame:

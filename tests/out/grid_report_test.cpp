@@ -13,7 +13,7 @@ namespace {
 
 using test::Flight;
 
-/// Along the left and upper side of the grid of the example with 30 x 30 cells, whatever is blocked there.
+/// Along the left and upper side of a grid of 30 x 30 cells, cleared of what is blocked there.
 void fly_over_grid(Flight& flight, double cell_m = 1) {
   Site& site = flight.site;
   site.scenario.file = "yin2021/30x30.yaml";

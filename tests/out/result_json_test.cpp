@@ -29,8 +29,9 @@ TEST(ResultJson, HasEveryKeyOfTheContract) {
         "parameters", "seed",     "reproducible", "cost",     "lower_bound", "gap",     "metrics", "verdict",   "route",
         "front",      "counters", "files",        "warnings", "overrides",   "ground",  "notice"})
     EXPECT_TRUE(json.contains(key)) << key;
-  EXPECT_EQ(keys(json["metrics"]), (std::vector<std::string>{"length_m", "climb_m", "descent_m", "threat",
-                                                             "min_clearance_m", "corrections", "probability"}));
+  EXPECT_EQ(keys(json["metrics"]),
+            (std::vector<std::string>{"length_m", "climb_m", "descent_m", "threat", "min_clearance_m", "corrections",
+                                      "probability", "height_dev", "turns", "composite"}));
   EXPECT_EQ(keys(json["verdict"]), (std::vector<std::string>{"status", "ok", "violations", "margins", "not_checked"}));
   EXPECT_EQ(keys(json["route"][0]), (std::vector<std::string>{"x_m", "y_m", "z_m", "lat", "lon", "agl_m", "leg", "arc",
                                                               "point_id", "actions"}));

@@ -46,7 +46,7 @@ std::vector<Vec2> shape_of(PointKind kind, const Vec2& at, double size) {
 std::string mark(const CorrectionPoint& point) {
   std::string corners;
   for (const Vec2& p : shape_of(point.kind, {8, 8}, kSize)) corners += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
-  return fmt::format("<svg class=\"mark\" viewBox=\"0 0 16 16\"><polygon class=\"{}\" points=\"{}\"/></svg>",
+  return fmt::format(R"(<svg class="mark" viewBox="0 0 16 16"><polygon class="{}" points="{}"/></svg>)",
                      class_of(point), corners);
 }
 

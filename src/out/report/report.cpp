@@ -43,7 +43,8 @@ std::string fact(const std::string& value, const std::string& name) {
 
 std::string facts(const Result& result) {
   const Metrics& metrics = result.metrics;
-  std::string items = fact(length_in_words(metrics.length_m), "length");
+  std::string items =
+      fact(metrics.grid ? quantity(metrics.length_m, "m") : length_in_words(metrics.length_m), "length");
   if (metrics.min_clearance_m) {
     const double asked = result.site.band.clearance_m;
     items += fact(fmt::format("{:.0f} m", *metrics.min_clearance_m),

@@ -47,6 +47,7 @@ std::string row_html(const RuleRow& row) {
 std::string worst_words(const Margin& margin, bool failed) {
   constexpr double kNoTurn_m = 1e8;
   if (margin.rule == "turn" && margin.margin > kNoTurn_m) return "no turns";
+  if (margin.unit == "places" && !failed) return "nowhere touched";
   if (failed) return figure(-margin.margin, margin.unit) + " over the limit";
   return figure(std::max(0.0, margin.margin), margin.unit) + " to spare";
 }

@@ -81,6 +81,12 @@ double RemainingLength::at(Node node, double error) const {
   return std::max(longer, graph_->length(node, graph_->goal())) * (1 - kRounding);
 }
 
+void RemainingLength::note_arrival(double length_m, int corrections) {
+  if (length_m >= shortest_m_) return;
+  shortest_m_ = length_m;
+  shortest_corrections_ = corrections;
+}
+
 /// A* from the goal, with the straight line from the start as what is left.
 std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
   const CorrectionGraph& graph = *graph_;
@@ -102,10 +108,7 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
     most_error[at.node] = at.error;
     if (at.node != graph.goal()) steps.push_back({at.node, at.length_m, at.error});
     if (at.node == graph.start()) {
-      if (at.length_m < shortest_m_) {
-        shortest_m_ = at.length_m;
-        shortest_corrections_ = at.corrections;
-      }
+      note_arrival(at.length_m, at.corrections);
       continue;
     }
     const int corrections = at.node == graph.goal() ? 0 : at.corrections + 1;

@@ -44,6 +44,7 @@ class RemainingLength {
 
  private:
   std::vector<StepTable::Step> search(RunContext& run);
+  void note_arrival(double length_m, int corrections);
 
   const CorrectionGraph* graph_;
   double upper_m_;

@@ -106,7 +106,7 @@ std::string study_table(const std::vector<std::string>& words, const std::vector
   std::string heads;
   for (const std::string& head : words) heads += fmt::format("<th scope=\"col\">{}</th>", xml_escape(head));
   for (const std::string& head : numbers)
-    heads += fmt::format("<th scope=\"col\" class=\"num\">{}</th>", xml_escape(head));
+    heads += fmt::format(R"(<th scope="col" class="num">{}</th>)", xml_escape(head));
   return fmt::format(
       R"(<div class="scroll"><table class="study"><thead><tr>{}</tr></thead>
 <tbody>

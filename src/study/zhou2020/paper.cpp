@@ -194,7 +194,7 @@ int number_of(Task task) { return static_cast<int>(task) + 1; }
 const std::vector<PublishedRoute>& published_routes() {
   static const std::vector<PublishedRoute> kAll = [] {
     std::vector<PublishedRoute> all = of_zhou();
-    for (auto& rows : {of_the_contest(), of_route_planning(), without_routes()})
+    for (const auto& rows : {of_the_contest(), of_route_planning(), without_routes()})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();

@@ -37,7 +37,7 @@ struct PublishedRoute {
   std::optional<double> probability;
   std::vector<int> points;  ///< Empty where the route is not printed.
   int id_offset = 0;        ///< Added to the printed ids: another reading of them.
-  std::string method = {};  ///< Our method that does the same; empty: none.
+  std::string method;       ///< Our method that does the same; empty: none.
 };
 
 /// Every row of the claims, in the order of the tables they come from.

@@ -70,7 +70,7 @@ void draw_rate(Svg& svg, const Axes& axes, const AdaptiveRate& rate, const std::
   std::vector<Vec2> line;
   for (int i = 0; i <= kPieces; ++i) {
     const double fitness = static_cast<double>(i) / kPieces;
-    line.push_back({axes.x(fitness), axes.y(rate(fitness, kStats))});
+    line.emplace_back(axes.x(fitness), axes.y(rate(fitness, kStats)));
   }
   svg.polyline(line, "best " + css_class);
 }

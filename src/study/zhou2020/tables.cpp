@@ -39,11 +39,11 @@ std::string published_row(const JudgedRow& judged_row) {
   const PublishedRoute& published = *judged_row.published;
   const JudgedRoute* judged = judged_row.judged && !judged_row.judged->route.empty() ? &*judged_row.judged : nullptr;
   const std::string cells = number_cell(published.length_m, 2) +
-                            number_cell(judged ? std::optional(judged->metrics.length_m) : std::nullopt, 2) +
+                            number_cell(judged != nullptr ? std::optional(judged->metrics.length_m) : std::nullopt, 2) +
                             number_cell(as_number(published.corrections), 0) +
-                            number_cell(judged ? as_number(judged->metrics.corrections) : std::nullopt, 0) +
+                            number_cell(judged != nullptr ? as_number(judged->metrics.corrections) : std::nullopt, 0) +
                             number_cell(percent(published.probability), 0) +
-                            number_cell(percent(judged ? judged->metrics.probability : std::nullopt), 2) +
+                            number_cell(percent(judged != nullptr ? judged->metrics.probability : std::nullopt), 2) +
                             number_cell(percent(judged_row.gap), 2);
   const std::string state = !judged_row.judged              ? "route not printed"
                             : judged_row.judged->feasible() ? "keeps all limits"
@@ -96,10 +96,10 @@ std::string astar_table(const Study& study) {
   for (const PublishedRoute& published : published_routes()) {
     if (published.method.empty()) continue;
     const StudyRun* best = study.trial(published.set, published.method).best();
-    rows +=
-        row(published.method, number_cell(published.length_m, 2) + number_cell(as_number(published.corrections), 0) +
-                                  number_cell(best ? std::optional(best->metrics.length_m) : std::nullopt, 2) +
-                                  number_cell(best ? as_number(best->metrics.corrections) : std::nullopt, 0));
+    rows += row(published.method,
+                number_cell(published.length_m, 2) + number_cell(as_number(published.corrections), 0) +
+                    number_cell(best != nullptr ? std::optional(best->metrics.length_m) : std::nullopt, 2) +
+                    number_cell(best != nullptr ? as_number(best->metrics.corrections) : std::nullopt, 0));
   }
   return study_table({"Run"}, {"Printed length, m", "Printed corrections", "Ours, m", "Our corrections"}, rows);
 }
