@@ -26,7 +26,7 @@ std::vector<NodeThreat> threats() {
           {.center = {17.5, 17, 9}, .radius_m = 3, .weight = kThreat * 0.5}};
 }
 
-Pose pose() { return {.position = {9, 5, 6}, .attitude = level_attitude(radians(50))}; }
+BodyPose pose() { return {.position = {9, 5, 6}, .attitude = level_attitude(radians(50))}; }
 
 void per_candidate(benchmark::State& state, std::size_t candidates) {
   state.counters["per_candidate"] = benchmark::Counter(
@@ -37,7 +37,7 @@ void per_candidate(benchmark::State& state, std::size_t candidates) {
 void kernel(benchmark::State& state) {
   const RotationSet rotations(vehicle());
   const auto spheres = threats();
-  const Pose from = pose();
+  const BodyPose from = pose();
   Candidates candidates;
   for (auto _ : state) {
     place_candidates(rotations, from, kStep, candidates);
@@ -55,7 +55,7 @@ BENCHMARK(kernel);
 void literal(benchmark::State& state) {
   const RotationSet rotations(vehicle());
   const auto spheres = threats();
-  const Pose from = pose();
+  const BodyPose from = pose();
   std::vector<double> cost(rotations.size());
   const auto turn = [](const Mat3& attitude, int axis, double angle) -> Mat3 {
     return Eigen::AngleAxisd(angle, attitude.col(axis)).toRotationMatrix() * attitude;

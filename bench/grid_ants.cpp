@@ -39,7 +39,7 @@ double literal_seconds(const HeightGrid& grid, bool factors) {
 
 struct NoTrails {
   template <class Trail>
-  void operator()(Trail&, const Harvest&) const {}
+  void operator()(Trail& /*trail*/, const Harvest& /*harvest*/) const {}
 };
 
 /// Walks of one large colony, everything written down that a deposit needs.
@@ -62,16 +62,22 @@ double our_seconds(const GridSpace& space, const Choice& choice) {
   return seconds / static_cast<double>(steps);
 }
 
+/// What both walk on; `factors`: the literal ants weigh moves by those of Yin et al. 2021.
+struct Ground {
+  const HeightGrid& grid;
+  const GridSpace& space;
+  bool factors;
+};
+
 template <class Choice>
-void against_literal(benchmark::State& state, const HeightGrid& grid, const GridSpace& space, const Choice& choice,
-                     bool factors) {
+void against_literal(benchmark::State& state, const Ground& ground, const Choice& choice) {
   double ours = 0;
   double literal = 0;
   for (auto _ : state) {
-    const double pass = our_seconds(space, choice);
+    const double pass = our_seconds(ground.space, choice);
     state.SetIterationTime(pass);
     ours += pass;
-    literal += literal_seconds(grid, factors);
+    literal += literal_seconds(ground.grid, ground.factors);
   }
   const auto passes = static_cast<double>(state.iterations());
   state.counters["ns_per_step"] = ours / passes * 1e9;
@@ -82,19 +88,19 @@ void against_literal(benchmark::State& state, const HeightGrid& grid, const Grid
 void table_step(benchmark::State& state) {
   const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, std::numbers::sqrt2);
-  against_literal(state, grid, space, MoveTable(goal_distance_table(space, 3), 1, 0), false);
+  against_literal(state, {grid, space, false}, MoveTable(goal_distance_table(space, 3), 1, 0));
 }
 
 void guided_step(benchmark::State& state) {
   const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, std::numbers::sqrt2);
-  against_literal(state, grid, space, MoveTable(goal_directed_table(space, 0.4), 1, 0), false);
+  against_literal(state, {grid, space, false}, MoveTable(goal_directed_table(space, 0.4), 1, 0));
 }
 
 void multi_factor_step(benchmark::State& state) {
   const HeightGrid grid = test::drawn_grid(static_cast<int>(state.range(0)), 2);
   const GridSpace space = test::corner_space(grid, 1.4);
-  against_literal(state, grid, space, MultiFactor(space, {.mu_power = 1}), true);
+  against_literal(state, {grid, space, true}, MultiFactor(space, {.mu_power = 1}));
 }
 
 /// What comes between walks: 50 ants deposit, all trails evaporate, tables are built again. Nanoseconds a move left, a

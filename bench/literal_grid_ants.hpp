@@ -19,7 +19,7 @@ class LiteralGridAnt {
  public:
   /// Pheromone of each directed move by cell; `factors`: eqs. (1)-(6), (12) of Yin et al. 2021, else eta = 1 / d_jE.
   LiteralGridAnt(const HeightGrid& grid, Place start, Place goal, bool factors)
-      : grid_(grid), start_(start), goal_(goal), factors_(factors), tau(grid.blocked.size()) {
+      : grid_(grid), start_(std::move(start)), goal_(std::move(goal)), factors_(factors), tau(grid.blocked.size()) {
     for (auto& row : tau) row.fill(20);
   }
 

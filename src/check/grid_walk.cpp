@@ -24,8 +24,15 @@ Range1 cells_at(double coordinate, double slack) {
   return {cell, cell};
 }
 
-/// Adds the distances from `a` at which the flight crosses grid lines of one axis.
-void add_crossings(double a, double b, double length, double cell_m, std::vector<double>& crossings) {
+/// One axis of a flight.
+struct Axis {
+  double from;
+  double to;
+};
+
+/// Adds the distances from the begin of a flight of `length` at which it crosses grid lines of one axis.
+void add_crossings(const Axis& axis, double length, double cell_m, std::vector<double>& crossings) {
+  const auto [a, b] = axis;
   if (a == b) return;
   const auto [low, high] = std::minmax(a, b);
   const int last = static_cast<int>(std::floor(high / cell_m));
@@ -76,8 +83,8 @@ std::vector<Stretch> GridWalk::advance(const Vec2& to) {
   const Vec2 b = part->b.head<2>();
   const double length = (b - a).norm();
   std::vector<double> crossings;
-  add_crossings(a.x(), b.x(), length, grid_.cell_m, crossings);
-  add_crossings(a.y(), b.y(), length, grid_.cell_m, crossings);
+  add_crossings({a.x(), b.x()}, length, grid_.cell_m, crossings);
+  add_crossings({a.y(), b.y()}, length, grid_.cell_m, crossings);
   std::ranges::sort(crossings);
   crossings.push_back(length);
   std::vector<Stretch> stretches;

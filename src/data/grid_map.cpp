@@ -73,7 +73,7 @@ bool Reader::next_line() {
 
 bool Reader::is_text(std::string_view text) {
   const auto binary = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || is_control(c); };
-  const auto found = std::ranges::find_if(text, binary);
+  const auto* const found = std::ranges::find_if(text, binary);
   if (found == text.end()) return true;
   const std::string_view before(text.begin(), found);
   refuse({.line = static_cast<int>(std::ranges::count(before, '\n')) + 1,

@@ -130,6 +130,11 @@ std::vector<Parameter> trail_parameters() {
        .max = 1,
        .help = "acs: xi, how far a move draws its trail to that of the start.",
        .source = "Dorigo, Gambardella 1997, eq. (5)"},
+  };
+}
+
+std::vector<Parameter> bounded_parameters() {
+  return {
       {.name = "evaporation_decay",
        .default_value = 0.95,
        .min = 0,
@@ -198,6 +203,12 @@ std::vector<Parameter> factor_parameters() {
        .choices = {"signed", "absolute"},
        .help = "Height differences that make the range under the smoothness factor.",
        .source = "Yin et al. 2021, eq. (3); signed: public program for Li et al. 2019 [C]"},
+  };
+}
+
+/// How the factors make the weight of a move.
+std::vector<Parameter> joining_parameters() {
+  return {
       {.name = "join",
        .default_value = word("sum"),
        .choices = {"sum", "product"},
@@ -237,7 +248,8 @@ std::vector<Parameter> factor_parameters() {
 
 std::vector<Parameter> grid_aco_parameters() {
   std::vector<Parameter> all;
-  for (const auto& part : {walk_parameters(), score_parameters(), trail_parameters(), factor_parameters()})
+  for (const auto& part : {walk_parameters(), score_parameters(), trail_parameters(), bounded_parameters(),
+                           factor_parameters(), joining_parameters()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

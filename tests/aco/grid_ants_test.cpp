@@ -42,7 +42,7 @@ class MultiFactorByHand : public testing::Test {
   HeightGrid grid_ = hills();
   GridSpace space_ = corner_space(grid_, 1.4);
   double far_ = std::sqrt(5.0);                                         // E and N to the goal
-  double near_ = std::sqrt(2.0);                                        // NE
+  double near_ = std::numbers::sqrt2;                                   // NE
   double phi_near_ = 10 * (far_ - near_) / (far_ - near_ + 0.001) + 1;  // eq. (1)
 };
 

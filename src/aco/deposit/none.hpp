@@ -7,7 +7,7 @@ namespace alate {
 
 struct NoDeposit {
   template <class Trail>
-  void operator()(Trail&, const Harvest&) const {}
+  void operator()(Trail& /*trail*/, const Harvest& /*harvest*/) const {}
 };
 
 }  // namespace alate

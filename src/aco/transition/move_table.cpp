@@ -10,7 +10,7 @@ void MoveTable::rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail) {
   const StoredTrail* stored = trail.store().row(cell);
   const float* heuristic = &heuristic_[kRow * cell];
   float* weights = &weights_[kRow * cell];
-  std::array<float, kRow> tau;
+  std::array<float, kRow> tau{};
   for (std::size_t d = 0; d < kRow; ++d) tau[d] = levels.read(stored[d]);
   float highest = tau[0];
   for (std::size_t d = 1; d < kRow; ++d) highest = tau[d] > highest ? tau[d] : highest;

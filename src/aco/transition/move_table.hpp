@@ -58,7 +58,7 @@ class MoveTable {
 
   unsigned draw(const GridStand& at, float uniform) const {
     const float* row = &weights_[kRow * at.cell];
-    const std::int32_t* left = kLeft[at.tabu].data();
+    const std::int32_t* left = left_[at.tabu].data();
     const Quad low = only(load<Quad>(row), load<QuadMask>(left));
     const Quad high = only(load<Quad>(row + 4), load<QuadMask>(left + 4));
     const Quad until_low = running(low);
@@ -80,13 +80,13 @@ class MoveTable {
     return masks;
   }
   /// By visited neighbours: all bits of a lane where it may be gone to.
-  static const std::array<Lanes, 256> kLeft;
+  static const std::array<Lanes, 256> left_;
 
   AlignedFloats heuristic_, weights_;
   int alpha_;
   float q0_;
 };
 
-inline constexpr std::array<MoveTable::Lanes, 256> MoveTable::kLeft = MoveTable::masks();
+inline constexpr std::array<MoveTable::Lanes, 256> MoveTable::left_ = MoveTable::masks();
 
 }  // namespace alate
