@@ -66,6 +66,8 @@ std::string no_way(const Problem& problem, const CostToGo& guidance) {
 std::string attitude_refusal(const Problem& problem) {
   if (problem.world.site().navigation)
     return "knows nothing of navigation errors and correction points; take label-setting, or leave out navigation";
+  if (problem.world.site().grid)
+    return "flies through the air, not from cell to cell; take grid-aco, or leave out grid";
   const Vehicle& vehicle = problem.vehicle;
   std::string missing;
   const auto need = [&](bool given, const char* key) {

@@ -101,7 +101,9 @@ TEST(GridAco, RefusesWhatItCannotServe) {
 }
 
 TEST(GridAco, NoOtherPlannerServesGrids) {
-  const World world(grid_site(drawn_grid(10, 1, 0)));
+  Site site = grid_site(drawn_grid(10, 1, 0));
+  site.vehicle = {.step_m = 1, .roll_rad = {0}, .pitch_rad = {0}, .yaw_rad = {0}};
+  const World world(site);
   for (const PlannerEntry& entry : builtin_planners().entries())
     EXPECT_EQ(entry.refuses(Problem(world)).empty(), entry.name == "grid-aco") << entry.name;
 }
