@@ -112,7 +112,7 @@ std::optional<Flight> GridSpace::fly(std::span<const std::uint32_t> directions) 
   flight.moves = directions.size();
   Cell cell = start_;
   for (const std::uint32_t d : directions) {
-    if (((open_[cell] >> d) & 1U) == 0) return std::nullopt;
+    if (((std::uint32_t{open_[cell]} >> d) & 1U) == 0) return std::nullopt;
     cell = neighbour(cell, d);
     flight.costs.push_back(static_cast<float>(step(d)));
   }

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+// Under the address sanitizer gcc takes an optional of the graph for uninitialised.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/r_c_shortest_paths.hpp>
+#pragma GCC diagnostic pop
 #include <vector>
 
 #include "data/correction_law.hpp"
