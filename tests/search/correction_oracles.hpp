@@ -59,38 +59,49 @@ inline std::vector<FrontValue> brute_force_front(const CorrectionField& field, s
   return front_of(std::move(values));
 }
 
-/// Backward dynamic programming over layers of corrections left; labels (length left, most error), nothing pruned but
-/// what is dominated.
+/// Length left, and the most error with which it can be flown.
+struct WayLeft {
+  double length = 0;
+  double most_error = 0;
+};
+using WaysLeft = std::vector<std::vector<WayLeft>>;  ///< By node.
+
+inline bool is_dominated(const WayLeft& way, const std::vector<WayLeft>& ways) {
+  return std::ranges::any_of(
+      ways, [&](const WayLeft& one) { return one.length <= way.length && one.most_error >= way.most_error; });
+}
+
+/// Where a way begins, and how it goes on.
+struct WayFrom {
+  CorrectionGraph::Node node = 0;
+  WayLeft left;
+};
+
+/// All ways that are one leg longer than `way` and not known to be dominated.
+inline void append_longer(const CorrectionGraph& graph, const WayFrom& way, const WaysLeft& known, WaysLeft& next) {
+  for (CorrectionGraph::Node i = 0; i < graph.goal(); ++i) {
+    if (i == way.node) continue;
+    const double d = graph.length(i, way.node);
+    const WayLeft longer{way.left.length + d, graph.leg(i, way.node).most_before(way.left.most_error, d)};
+    if (longer.most_error < 0 || is_dominated(longer, known[i]) || is_dominated(longer, next[i])) continue;
+    next[i].push_back(longer);
+  }
+}
+
+/// Backward dynamic programming over layers of corrections left, nothing pruned but what is dominated.
 inline std::vector<FrontValue> backward_front(const CorrectionField& field) {
-  struct Way {
-    double length = 0;
-    double most_error = 0;
-  };
   const CorrectionGraph graph(field.navigation, field.start, field.goal);
-  std::vector<std::vector<Way>> known(graph.size());
-  std::vector<std::vector<Way>> layer(graph.size());
+  WaysLeft known(graph.size());
+  WaysLeft layer(graph.size());
   std::vector<FrontValue> values;
   layer[graph.goal()] = {{0, 1e300}};
-  const auto is_new = [](const std::vector<Way>& ways, const Way& way) {
-    return std::ranges::none_of(
-        ways, [&](const Way& one) { return one.length <= way.length && one.most_error >= way.most_error; });
-  };
   for (int left = 0; std::ranges::any_of(layer, [](const auto& ways) { return !ways.empty(); }); ++left) {
-    std::vector<std::vector<Way>> next(graph.size());
-    for (CorrectionGraph::Node j = 0; j < graph.size(); ++j) {
-      for (const Way& way : layer[j]) {
-        for (CorrectionGraph::Node i = 0; i < graph.goal(); ++i) {
-          const double d = graph.length(i, j);
-          const double most = i == j ? -1 : graph.leg(i, j).most_before(way.most_error, d);
-          const Way longer{way.length + d, most};
-          if (most < 0 || !is_new(known[i], longer) || !is_new(next[i], longer)) continue;
-          next[i].push_back(longer);
-          if (i == graph.start()) values.push_back({left, longer.length, 1});
-        }
-      }
-    }
-    next[graph.start()].clear();
+    WaysLeft next(graph.size());
+    for (CorrectionGraph::Node j = 0; j < graph.size(); ++j)
+      for (const WayLeft& way : layer[j]) append_longer(graph, {j, way}, known, next);
+    for (const WayLeft& way : next[graph.start()]) values.push_back({left, way.length, 1});
     for (std::size_t i = 0; i < next.size(); ++i) known[i].insert(known[i].end(), next[i].begin(), next[i].end());
+    next[graph.start()].clear();
     layer.swap(next);
   }
   return front_of(std::move(values));
