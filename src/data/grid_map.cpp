@@ -7,6 +7,7 @@
 #include <memory>
 #include <string_view>
 
+#include "data/file_faults.hpp"
 #include "data/limits.hpp"
 #include "data/scenario_text.hpp"
 #include "data/text_file.hpp"
@@ -21,12 +22,12 @@ constexpr std::size_t kFree = 3;  ///< So many of them are free.
 /// Reads the lines of one file.
 class Reader {
  public:
-  Reader(const std::string& file, std::vector<Fault>& faults) : file_(file), faults_(faults), earlier_(faults.size()) {}
+  Reader(const std::string& file, std::vector<Fault>& faults) : faults_(file, faults) {}
 
   std::optional<HeightGrid> read(std::string_view text);
 
  private:
-  void refuse(Fault fault);
+  void refuse(Fault fault) { faults_.add(std::move(fault)); }
   /// False at the end of the file. Lines of blanks are passed over.
   bool next_line();
   bool is_text(std::string_view text);
@@ -37,10 +38,7 @@ class Reader {
   void read_row();
   void judge_size();
 
-  const std::string& file_;
-  std::vector<Fault>& faults_;
-  std::size_t earlier_;  ///< Faults of other files.
-  std::size_t uncounted_ = 0;
+  FileFaults faults_;
   std::string_view rest_;
   std::string_view line_;
   int number_ = 0;  ///< Of the line.
@@ -49,15 +47,6 @@ class Reader {
   bool sized_ = true;
   HeightGrid grid_;
 };
-
-void Reader::refuse(Fault fault) {
-  if (faults_.size() - earlier_ >= kMaxFaults) {
-    ++uncounted_;
-    return;
-  }
-  fault.file = file_;
-  faults_.push_back(std::move(fault));
-}
 
 bool Reader::next_line() {
   while (!rest_.empty()) {
@@ -174,9 +163,7 @@ std::optional<HeightGrid> Reader::read(std::string_view text) {
     judge_size();
     if (headed_ && sized_) read_rows();
   }
-  if (uncounted_ > 0)
-    faults_.push_back({.file = file_, .line = number_, .message = fmt::format("and {} more faults", uncounted_)});
-  if (faults_.size() > earlier_) return std::nullopt;
+  if (!faults_.finish(number_)) return std::nullopt;
   return std::move(grid_);
 }
 

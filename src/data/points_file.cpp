@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/number_text.hpp"
+#include "data/file_faults.hpp"
 #include "data/limits.hpp"
 #include "data/points_columns.hpp"
 #include "data/scenario_text.hpp"
@@ -35,7 +36,7 @@ std::optional<double> plain_number(std::string_view cell) {
 class Reader {
  public:
   Reader(const std::string& file, double success, std::vector<Fault>& faults)
-      : file_(file), success_(success), faults_(faults), earlier_(faults.size()) {}
+      : success_(success), faults_(file, faults) {}
 
   GivenPoints read(std::string_view text);
 
@@ -45,7 +46,7 @@ class Reader {
     double max;
   };
 
-  void refuse(Fault fault);
+  void refuse(Fault fault) { faults_.add(std::move(fault)); }
   void refuse(PointColumn column, const char* message, std::string limit = "");
   bool read_header(std::string_view line);
   /// Finds the cells; false, with a fault, if there are not as many as columns.
@@ -59,26 +60,14 @@ class Reader {
 
   std::string_view& cell(PointColumn column) { return cells_.at(static_cast<std::size_t>(column)); }
 
-  const std::string& file_;
   double success_;
-  std::vector<Fault>& faults_;
-  std::size_t earlier_;  ///< Faults of other files.
-  std::size_t uncounted_ = 0;
+  FileFaults faults_;
   int number_ = 0;  ///< Of the line.
   std::string_view line_;
   PointColumns columns_;
   std::array<std::string_view, kPointColumns.size()> cells_;
   GivenPoints points_;
 };
-
-void Reader::refuse(Fault fault) {
-  if (faults_.size() - earlier_ >= kMaxFaults) {
-    ++uncounted_;
-    return;
-  }
-  fault.file = file_;
-  faults_.push_back(std::move(fault));
-}
 
 void Reader::refuse(PointColumn column, const char* message, std::string limit) {
   const std::string_view text = cell(column);
@@ -211,7 +200,7 @@ GivenPoints Reader::read(std::string_view text) {
   if (header && rows == 0) refuse({.message = "the file has a header but no points"});
   if (const auto fault = points_.missing_end(); fault)
     refuse({.field = "kind", .limit = fault->limit, .message = fault->message});
-  if (uncounted_ > 0) faults_.push_back({.file = file_, .message = fmt::format("and {} more faults", uncounted_)});
+  faults_.finish();
   return std::move(points_);
 }
 

@@ -19,8 +19,8 @@ const JudgedRow& row(const std::vector<JudgedRow>& rows, std::string_view id) {
 class Zhou2020 : public testing::Test {
  protected:
   void SetUp() override {
+    ALATE_NEEDS_SHARED_DATA("correction-points");
     folder_ = test::shared_data("correction-points").string();
-    if (!std::filesystem::is_directory(folder_)) GTEST_SKIP() << "SKIPPED: no contest points in " << folder_;
   }
   ReproduceOptions options() const { return {.seeds = 1, .iterations = 3, .data = folder_}; }
 
