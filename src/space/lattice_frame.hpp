@@ -76,6 +76,8 @@ class LatticeFrame {
   double ground(const Place& at) const { return ground_[static_cast<std::size_t>(at.plane * columns_ + at.side)]; }
   /// Step lengths along the main direction, sideways, upwards.
   const Vec3& steps_m() const { return steps_m_; }
+  /// A vector by main direction, sideways, upwards.
+  Vec3 along(const Vec3& vector) const { return {vector[main_], vector[1 - main_], vector.z()}; }
   const Vec3& goal() const { return goal_; }
   /// Does the window allow the last leg, from a node of the last plane to the goal?
   bool goal_in_window(const Vec3& from) const;

@@ -128,21 +128,21 @@ void LatticeMoves::open_move(const ColumnMove& what) {
   for (int level = first; level < last; ++level) {
     const Node node = frame_.node({what.plane, what.column, level});
     const Place to{what.plane + 1, what.column + shift.side, level + shift.height};
-    if (reached_[node] == 0 || !is_safe(to)) continue;
+    if (reached_[node] == 0 || !is_safe(to) || (rules_.filters && is_high_or_low(to))) continue;
     const bool clear = is_free(what, level);
     if (clear) clear_[node] |= 1U << what.move;
     if (clear || !rules_.whole_legs) open_[node] |= 1U << what.move;
   }
 }
 
-/// S of eq. (11), the scenario's band and the heights of (3) at a node; unknown ground is not safe.
+/// S of eq. (11) and the scenario's band at a node; unknown ground is not safe.
 bool LatticeMoves::is_safe(const Place& at) const {
   const Band& band = world_.site().band;
   const double z = frame_.position(at).z();
   const double above = z - frame_.ground(at);
   return above >= std::max(band.clearance_m, rules_.safe_agl_m) - kHair_m &&
          !(band.ceiling_agl_m && above > *band.ceiling_agl_m + kHair_m) &&
-         !(band.ceiling_amsl_m && z > *band.ceiling_amsl_m + kHair_m) && !(rules_.filters && is_high_or_low(at));
+         !(band.ceiling_amsl_m && z > *band.ceiling_amsl_m + kHair_m);
 }
 
 void LatticeMoves::note_joins(const RunContext& run) {
@@ -192,7 +192,7 @@ void LatticeMoves::count_barred() {
       for (int level = 0; level < frame_.levels(); ++level) {
         const Place at{plane, column, level};
         reached += reached_[frame_.node(at)];
-        barred_.height += is_high_or_low(at) ? 1U : 0U;
+        barred_.height += is_safe(at) && is_high_or_low(at) ? 1U : 0U;
       }
   const auto& shifts = frame_.shifts();
   for (const LatticeFrame::Shift& one : shifts) {

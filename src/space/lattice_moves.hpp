@@ -75,7 +75,7 @@ class LatticeMoves {
   bool is_sharp(const Vec3& before, const Vec3& after) const;
   bool is_high_or_low(const Place& at) const;
 
-  /// Candidates that constraints took away: of all reached nodes, and for turns pairs of moves.
+  /// What constraints took away: moves of reached nodes (leg, pitch), nodes (height), pairs of moves (turn).
   const LatticeFaults& barred() const { return barred_; }
 
  private:

@@ -13,11 +13,11 @@ constexpr double kKm = 1000;
 
 LatticeScore::LatticeScore(const World& world, const LatticeFrame& frame, const LatticeMoves& moves,
                            const TerrainScore& rule)
-    : frame_(frame), rule_(rule), of_join_(frame.plane_size()) {
+    : frame_(frame), rule_(rule), objective_(world.site().scenario.objective), of_join_(frame.plane_size()) {
   for (unsigned m = 0; m < frame.moves(); ++m) {
     const Vec3& leg = frame.shifts()[m].leg;
     length_m_[m] = leg.norm();
-    of_shape_[m] = of_length(world, leg);
+    of_shape_[m] = of_length(leg);
     for (unsigned came = 0; came < frame.moves(); ++came) of_turn_[came][m] = of_angle(frame.shifts()[came].leg, leg);
   }
   if (rule_.is_papers() && rule_.height != 0) note_heights();
@@ -25,10 +25,9 @@ LatticeScore::LatticeScore(const World& world, const LatticeFrame& frame, const 
   note_joins(world, moves);
 }
 
-double LatticeScore::of_length(const World& world, const Vec3& leg) const {
+double LatticeScore::of_length(const Vec3& leg) const {
   if (rule_.is_papers()) return rule_.length * leg.norm() / kKm;  // eq. (21)
-  const ObjectiveSpec& weights = world.site().scenario.objective;
-  return weights.length * leg.norm() + weights.climb * std::max(0.0, leg.z());
+  return objective_.length * leg.norm() + objective_.climb * std::max(0.0, leg.z());
 }
 
 /// Eq. (23).
@@ -54,14 +53,13 @@ void LatticeScore::note_heights() {
 
 void LatticeScore::note_exposures(const World& world, const LatticeMoves& moves) {
   exposed_.resize(kRow * frame_.nodes());
-  const double weight = world.site().scenario.objective.threat;
   for (Node node = 0; node < frame_.nodes(); ++node) {
     if (moves.open(node) == 0) continue;
     const Vec3 from = frame_.position(node);
     for (unsigned open = moves.open(node); open != 0; open &= open - 1) {
       const auto move = static_cast<unsigned>(std::countr_zero(open));
       const double exposure = world.exposure({from, from + frame_.shifts()[move].leg});
-      exposed_[kRow * node + move] = static_cast<float>(weight * exposure);
+      exposed_[kRow * node + move] = static_cast<float>(objective_.threat * exposure);
     }
   }
 }
@@ -75,11 +73,11 @@ void LatticeScore::note_joins(const World& world, const LatticeMoves& moves) {
     if (moves.joins(node) == 0) continue;
     const Segment leg{frame_.position(node), frame_.goal()};
     double& cost = of_join_[node - first];
-    cost = of_length(world, leg.b - leg.a);
+    cost = of_length(leg.b - leg.a);
     if (!rule_.is_papers()) {
-      cost += world.site().scenario.objective.threat * world.exposure(leg);
+      cost += objective_.threat * world.exposure(leg);
     } else if (!of_height_.empty()) {
-      cost += rule_.at == TerrainScore::At::end ? at_goal : (at_goal + double{of_height_[node]}) / 2;
+      cost += at_goal;
     }
   }
 }
