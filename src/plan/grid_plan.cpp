@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "plan/iteration_history.hpp"
 #include "space/objective.hpp"
 
 namespace alate {
@@ -55,13 +56,6 @@ std::string no_way(const GridSpace& space, const std::vector<std::uint8_t>& reac
 std::string nothing_found(Stop stop) {
   if (stop == Stop::deadline || stop == Stop::cancelled) return "stopped before any route was found";
   return "every ant walked into a dead end, though there is a way; a longer search may find it";
-}
-
-std::uint64_t last_change(const std::vector<IterationStats>& history) {
-  std::uint64_t last = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (history[i].best_so_far && (i == 0 || history[i].best_so_far != history[i - 1].best_so_far)) last = i + 1;
-  return last;
 }
 
 /// From cell sides to metres.
