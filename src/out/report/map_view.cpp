@@ -33,9 +33,8 @@ bool leaves_band(const Site& site, const Vec3& at) {
 }
 
 bool in_blocked_cell(const HeightGrid& grid, const Vec3& at) {
-  const int column = static_cast<int>(std::floor(at.x() / grid.cell_m));
-  const int row = grid.rows - 1 - static_cast<int>(std::floor(at.y() / grid.cell_m));
-  return grid.contains(column, row) && grid.blocked_at(column, row);
+  const auto cell = grid.cell_at(at.head<2>());
+  return cell && grid.blocked_at((*cell)[0], (*cell)[1]);
 }
 
 /// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core or in a
