@@ -210,7 +210,7 @@ TEST(Yin2021Study, RunsAsRead) {
       }
     }
   }
-  for (const Size size : {kSmall, kLarge}) {
+  for (const Size size : kBoth) {
     const CodedHeights coded = coded_heights(study, size);
     EXPECT_TRUE(coded.by_count_alone);
     EXPECT_GT(coded.counts, 1U);

@@ -15,8 +15,6 @@ namespace alate::yin2021 {
 
 namespace {
 
-constexpr std::array<Size, 2> kBoth{kSmall, kLarge};
-
 /// Both sizes, one after the other.
 template <class OnSize>
 std::string on_both(OnSize on_size) {
@@ -70,21 +68,38 @@ std::string bounds_measured(const Study& study) {
   return "Runs of the baseline that are the same in every iteration with these bounds and with none: " + words;
 }
 
-/// Change of a figure from one method of the main reading to another.
-std::string change(const Study& study, Size size, const char* from, const char* to, const Figure& figure) {
-  const Experiment& main = study.on(size).main;
-  const Comparison both{.of_li = &main, .li = method_index(main, from), .of_yin = &main, .yin = method_index(main, to)};
+/// Both methods of one experiment.
+Comparison within(const Experiment& experiment, const std::string& from, const std::string& to) {
+  return {.of_li = &experiment,
+          .li = method_index(experiment, from),
+          .of_yin = &experiment,
+          .yin = method_index(experiment, to)};
+}
+
+std::string change(const Comparison& both, const Figure& figure) {
   const auto interval = mean_interval(pairs(both, figure).percent());
   return interval ? change_words(*interval, "%") : "";
 }
 
+std::string name_of(const char* method, const char* reading) {
+  return method_name(method, readings()[reading_index(reading)]);
+}
+
+std::string length_and_score(const Comparison& both) {
+  const std::string length = change(both, final_mean(length_of));
+  return length.empty() ? "" : fmt::format("length {}, S {}", length, change(both, final_mean(score_of)));
+}
+
 std::string pheromone_measured(const Study& study) {
-  const std::string words = on_both([&](Size size) -> std::string {
-    const std::string length = change(study, size, kNoPheromone, kLi, final_mean(length_of));
-    const std::string score = change(study, size, kNoPheromone, kLi, final_mean(score_of));
-    return length.empty() ? "" : fmt::format("length {}, S {}", length, score);
+  const std::string bounded =
+      on_both([&](Size size) { return length_and_score(within(study.on(size).main, kNoPheromone, kLi)); });
+  const std::string unbounded = on_both([&](Size size) {
+    return length_and_score(within(study.on(size).readings, name_of(kLi, kAsMeant), name_of(kLi, kNoBounds)));
   });
-  return words.empty() ? "" : "From the baseline without pheromone to the baseline with it, " + words;
+  if (bounded.empty() || unbounded.empty()) return "";
+  return fmt::format(
+      "From the baseline without pheromone to the baseline with it, {} From there to the baseline without bounds, {}",
+      bounded, unbounded);
 }
 
 /// 1 / mu of a cell of an open grid, from one corner to the other, a = b = 1.
@@ -133,13 +148,9 @@ std::string mu_measured(const Study& study) {
 
 std::string step_measured(const Study& study) {
   const std::string words = on_both([&](Size size) -> std::string {
-    const Experiment& runs = study.on(size).readings;
-    const Comparison both{.of_li = &runs,
-                          .li = study.compare(size, reading_index(kStepFactor)).li,
-                          .of_yin = &runs,
-                          .yin = method_index(runs, method_name(kLi, readings().front()))};
-    const auto interval = mean_interval(pairs(both, final_mean(length_of)).percent());
-    return interval ? "length " + change_words(*interval, "%") : "";
+    const Comparison both = within(study.on(size).readings, name_of(kLi, kStepFactor), name_of(kLi, kAsMeant));
+    const std::string length = change(both, final_mean(length_of));
+    return length.empty() ? "" : "length " + length;
   });
   return words.empty() ? "" : "From the baseline without the term to the baseline with it, " + words;
 }
@@ -206,7 +217,7 @@ std::vector<Defect> defects(const Study& study) {
        "Eq. (11) is coded as a test of the whole matrix. It acts only if all trails at once are beyond a bound, and "
        "then makes all of them equal.",
        bounds_measured(study)},
-      {"Pheromone adds little",
+      {"Bounds as meant leave pheromone little to say",
        "As meant, the bounds keep all trails within 1 : 4. At the lower bound, 10, a trail loses 2 an iteration, and "
        "an "
        "ant leaves 100/S, less than 1: only moves that several ants share in every iteration rise above it.",

@@ -13,8 +13,6 @@ namespace alate::yin2021 {
 
 namespace {
 
-constexpr std::array<Size, 2> kBoth{kSmall, kLarge};
-
 std::string lead(const std::string& text) { return fmt::format("<p class=\"lead\">{}</p>\n", text); }
 
 std::string subsection(const std::string& title, const std::string& content) {
@@ -54,8 +52,8 @@ std::string facts(const Study& study, const Reproduction& result) {
 
 std::string routes(const Study& study) {
   std::string html = lead(
-      "The first map of each size. Best route of 30 runs by S, or as many as were asked for; alate's own colony looks "
-      "for short routes, the other two for a low S.");
+      "The first map of each size. The best route of all runs by S; alate's own colony looks for short routes, the "
+      "other two for a low S.");
   html += "<div class=\"panels wide\">\n";
   for (const Size size : kBoth) html += routes_picture(study, size);
   return html + "</div>\n";

@@ -25,6 +25,8 @@ inline constexpr std::uint64_t kSeedsToReadings = 3;  ///< Other readings get so
 enum Size : std::size_t { kSmall, kLarge };
 inline constexpr std::array<int, 2> kSizes{10, 30};  ///< Cells along a side.
 
+inline constexpr std::array<Size, 2> kBoth{kSmall, kLarge};
+
 /// "10x10".
 std::string size_name(Size size);
 

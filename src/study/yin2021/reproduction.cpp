@@ -19,8 +19,7 @@ RunSettings settings(const Study& study, const ReproduceOptions& options, int th
   all.emplace_back("confidence", std::string("95 %, percentile bootstrap over the maps, 2000 samples"));
   all.emplace_back("cells", std::string("means over the maps of a size; sd: root of the mean variance within a map; "
                                         "bound: mean exact optimum"));
-  for (std::size_t i = 0; i < kSizes.size(); ++i) {
-    const auto size = static_cast<Size>(i);
+  for (const Size size : kBoth) {
     const Maps& maps = study.on(size).maps;
     all.emplace_back("maps_" + size_name(size), fmt::format("seeds {}", fmt::join(maps.seeds, " ")));
     all.emplace_back("passed_over_" + size_name(size), static_cast<std::int64_t>(maps.passed_over));
