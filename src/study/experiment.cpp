@@ -106,9 +106,9 @@ std::size_t method_index(const Experiment& experiment, std::string_view name) {
   return static_cast<std::size_t>(found - experiment.methods.begin());
 }
 
-Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds) {
+Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds,
+                           const Registry& registry) {
   Experiment experiment{.cases = std::move(cases), .methods = std::move(methods)};
-  const Registry& registry = builtin_planners();
   for (std::size_t c = 0; c < experiment.cases.size(); ++c) {
     const Problem problem(experiment.cases[c].world);
     for (std::size_t m = 0; m < experiment.methods.size(); ++m) {

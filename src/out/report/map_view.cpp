@@ -33,9 +33,8 @@ bool leaves_band(const Site& site, const Vec3& at) {
 }
 
 bool in_blocked_cell(const HeightGrid& grid, const Vec3& at) {
-  const int column = static_cast<int>(std::floor(at.x() / grid.cell_m));
-  const int row = grid.rows - 1 - static_cast<int>(std::floor(at.y() / grid.cell_m));
-  return grid.contains(column, row) && grid.blocked_at(column, row);
+  const auto cell = grid.cell_at(at.head<2>());
+  return cell && grid.blocked_at((*cell)[0], (*cell)[1]);
 }
 
 /// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core or in a
@@ -102,6 +101,11 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
   for (const Vec3& at : drawn_line(route)) line.push_back(map(at));
   svg.polyline(line, "halo");
   svg.polyline(line, "route");
+  // Crowded waypoints, such as one a cell of a large grid, would paint over the line.
+  constexpr double kRoom = 8;
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  if (length < kRoom * static_cast<double>(route.states.size() - 1)) return;
   for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
 }
 
