@@ -32,6 +32,7 @@ std::optional<CellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
 
 Route route_of(const Problem& problem, const GridSpace& space, const std::vector<std::uint32_t>& directions) {
   Route route;
+  route.states.reserve(directions.size() + 1);
   route.states.push_back({.position = problem.mission.start, .leg = LegKind::start});
   GridSpace::Cell cell = space.start();
   for (const std::uint32_t d : directions) {

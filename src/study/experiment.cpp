@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <utility>
 
 namespace alate {
 
@@ -30,11 +31,13 @@ void run_task(const Task& task, const std::stop_token& stop) {
   RunContext context(alone, {.iterations = task.method->iterations, .seed = task.run->seed, .stop = stop});
   Problem problem(task.problem->world);
   problem.front = task.method->front;
-  task.run->plan = task.planner->planner.plan(problem, context);
+  Plan plan = task.planner->planner.plan(problem, context);
   task.run->wall_s = context.elapsed_s();
-  const Route& route = task.run->plan.route;
-  task.run->metrics = measure(task.problem->site(), route);
-  task.run->passed = !route.empty() && check(task.problem->site(), route).ok();
+  task.run->metrics = measure(task.problem->site(), plan.route);
+  task.run->passed = !plan.route.empty() && check(task.problem->site(), plan.route).ok();
+  if (!task.method->keep_routes) plan.route = {};
+  // A copy: what was allotted while the planner held its tables lies between them, and would keep their room from use.
+  task.run->plan = std::as_const(plan);
 }
 
 /// Counts finished runs and tells the sink.

@@ -28,6 +28,7 @@ struct StudyMethod {
   PlannerRequest request;
   std::optional<std::uint64_t> iterations;  ///< None: the planner's default.
   bool front = false;                       ///< Ask for the whole Pareto front.
+  bool keep_routes = true;                  ///< False where there are many runs: measured, checked, and dropped.
 };
 
 struct StudyRun {

@@ -194,14 +194,6 @@ std::string key(std::string_view swatch, std::string_view text) {
   return fmt::format("<li><span class=\"swatch {}\"></span>{}</li>\n", swatch, text);
 }
 
-std::string height_key(const Hillshade& ground) {
-  std::string items;
-  for (const HeightBand& band : ground.bands)
-    items += fmt::format("<span class=\"tint\" style=\"background:rgb({},{},{})\">{:.0f}</span>", band.color[0],
-                         band.color[1], band.color[2], band.from_m);
-  return fmt::format("<li class=\"tints\">Ground from, m:{}</li>\n", items);
-}
-
 struct Shown {
   const Result& result;
   const MapFrame& map;
@@ -228,7 +220,7 @@ std::string legend(const Shown& shown) {
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
   if (site.grid) items += key("s-blocked", "Blocked cell");
-  if (!shown.ground.bands.empty()) items += height_key(shown.ground);
+  if (!shown.ground.bands.empty()) items += height_key(shown.ground, "Ground from, m:");
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
   if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
     items += key("s-broken", "Place where a rule is broken");
