@@ -17,8 +17,9 @@ LatticeScore::LatticeScore(const World& world, const LatticeFrame& frame, const 
   for (unsigned m = 0; m < frame.moves(); ++m) {
     const Vec3& leg = frame.shifts()[m].leg;
     length_m_[m] = leg.norm();
-    of_shape_[m] = of_length(leg);
-    for (unsigned came = 0; came < frame.moves(); ++came) of_turn_[came][m] = of_angle(frame.shifts()[came].leg, leg);
+    of_step_[LatticeFrame::kFirst][m] = of_length(leg);
+    for (unsigned came = 0; came < frame.moves(); ++came)
+      of_step_[came][m] = of_length(leg) + of_angle(frame.shifts()[came].leg, leg);
   }
   if (rule_.is_papers() && rule_.height != 0) note_heights();
   if (!rule_.is_papers() && !world.site().threats.empty()) note_exposures(world, moves);

@@ -40,12 +40,9 @@ class LatticeScore {
   const TerrainScore& rule() const { return rule_; }
 
   /// Of a move and the node it leads to.
-  double of_move(Node node, unsigned move) const {
-    return of_shape_[move] + (of_height_.empty() ? 0 : double{of_height_[frame_.after(node, move)]}) +
-           (exposed_.empty() ? 0 : double{exposed_[kRow * node + move]});
-  }
-  /// Of one move after another; 0 after none.
-  double of_turn(unsigned came, unsigned move) const { return of_turn_[came][move]; }
+  double of_move(Node node, unsigned move) const { return of_step(node, LatticeFrame::kFirst, move); }
+  /// Of a move after another one, the turn between them included.
+  double of_step(Node node, unsigned came, unsigned move) const { return of_step_[came][move] + of_place(node, move); }
   /// Of the last leg, which follows `came`.
   double of_join(Node node, unsigned came) const;
 
@@ -60,6 +57,10 @@ class LatticeScore {
 
   double of_length(const Vec3& leg) const;
   double of_angle(const Vec3& before, const Vec3& after) const;
+  double of_place(Node node, unsigned move) const {
+    return (of_height_.empty() ? 0 : double{of_height_[frame_.after(node, move)]}) +
+           (exposed_.empty() ? 0 : double{exposed_[kRow * node + move]});
+  }
   void note_heights();
   void note_exposures(const World& world, const LatticeMoves& moves);
   void note_joins(const World& world, const LatticeMoves& moves);
@@ -67,9 +68,9 @@ class LatticeScore {
   const LatticeFrame& frame_;
   TerrainScore rule_;
   ObjectiveSpec objective_;
-  std::array<double, LatticeFrame::kMostMoves> of_shape_{};
   std::array<double, LatticeFrame::kMostMoves> length_m_{};
-  std::array<std::array<double, LatticeFrame::kMostMoves>, LatticeFrame::kMostMoves + 1> of_turn_{};
+  std::array<std::array<double, LatticeFrame::kMostMoves>, LatticeFrame::kMostMoves + 1>
+      of_step_{};                 ///< By shape alone.
   std::vector<float> of_height_;  ///< By node; empty where heights do not count.
   AlignedFloats exposed_;         ///< By node and move; empty without threats.
   std::vector<double> of_join_;   ///< Without its turn, by node of the last plane.

@@ -44,19 +44,27 @@ class TerrainLattice {
   /// Moves until the last plane; the last leg comes after them.
   std::size_t walk_length() const { return static_cast<std::size_t>(frame_.planes()) - 1; }
 
-  /// Judges moves from the start, as many as a walk is long, and the last leg. Infinite score where a move is not open
-  /// or may not follow the one before it.
-  LatticeFlight judge(std::span<const std::uint32_t> actions) const;
+  /// A move from a node: kRow * node + move.
+  using Edge = std::uint32_t;
 
-  /// As `judge`; nothing unless it is a route.
+  /// Edges of a string of moves from the start; nothing where a move is not open or may not follow the one before it.
+  std::optional<std::vector<Edge>> edges(std::span<const std::uint32_t> actions) const;
+
+  /// Judges a string of edges from the start, as many as a walk is long, and the last leg. Infinite score where that
+  /// may not join the goal.
+  LatticeFlight judge(std::span<const Edge> edges) const;
+
+  /// Cost of a route; nothing unless the moves are one.
   std::optional<Flight> fly(std::span<const std::uint32_t> actions) const;
 
   /// Nodes of such a string from the start on, and the goal.
   std::vector<Vec3> places(std::span<const std::uint32_t> actions) const;
 
  private:
-  void count_faults(Node node, unsigned came, unsigned move, LatticeFaults& faults) const;
-  void end_flight(Node node, unsigned came, LatticeFlight& flight) const;
+  /// A leg after another one (none: null).
+  void count_leg(const Vec3* before, const Vec3& leg, LatticeFaults& faults) const;
+  void count_faults(std::span<const Edge> edges, LatticeFlight& flight) const;
+  void join(Node node, unsigned came, LatticeFlight& flight) const;
 
   LatticeFrame frame_;
   LatticeMoves moves_;

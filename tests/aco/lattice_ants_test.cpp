@@ -15,7 +15,7 @@ namespace {
 
 using Node = TerrainLattice::Node;
 constexpr unsigned kAhead = 12;
-constexpr std::size_t kRow = TerrainLattice::kRow;
+constexpr unsigned kRow = TerrainLattice::kRow;
 
 struct Flat {
   explicit Flat(const LatticeRules& rules = {}, Site site = test::flat_site())
@@ -85,7 +85,7 @@ struct Path {
     Node node = lattice.frame().start();
     for (std::size_t i = 0; i < lattice.walk_length(); ++i) {
       ant.actions.push_back(kAhead);
-      ant.keys.push_back(trail.store().key(node, kAhead));
+      ant.keys.push_back(trail.store().key(kRow * node + kAhead));
       node = lattice.frame().after(node, kAhead);
     }
     ant.cost = 50;
@@ -118,7 +118,7 @@ TEST(DualStrategy, IsEquations16To19) {
     EXPECT_NEAR(dual.lambda, lambda, 1e-15);
   }
   EXPECT_NEAR(dual.lambda, 0.5 * 0.729, 1e-15);
-  EXPECT_EQ(path.trail.level(path.trail.store().key(flat.lattice.frame().start(), 0)), 1);  // untouched elsewhere
+  EXPECT_EQ(path.trail.level(path.trail.store().key(kRow * flat.lattice.frame().start())), 1);  // untouched elsewhere
 }
 
 /// A trail above Delta / rho falls, and no lower than tau_min: nothing but the path evaporates.
@@ -205,7 +205,7 @@ LatticeTally walk_once(const LatticeRules& rules, std::vector<Ant>& ants) {
   walk(policies, ants, Ant{}, flat.run);
   for (const Ant& ant : ants) {
     if (!ant.arrived()) continue;
-    const LatticeFlight flight = flat.lattice.judge(ant.actions);
+    const LatticeFlight flight = flat.lattice.judge(*flat.lattice.edges(ant.actions));
     EXPECT_EQ(flight.score, ant.cost);
     EXPECT_EQ(flight.is_route, ant.is_route);
   }

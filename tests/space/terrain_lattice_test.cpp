@@ -19,6 +19,8 @@ struct Made {
   explicit Made(const Site& site, LatticeOptions options = {})
       : world(site), run(executor, {}), lattice(world, LatticeFrame(world, options.steps), options, run) {}
 
+  LatticeFlight judge(const std::vector<std::uint32_t>& moves) const { return lattice.judge(*lattice.edges(moves)); }
+
   World world;
   Executor executor;
   RunContext run;
@@ -119,14 +121,14 @@ TEST(TerrainLattice, JudgesAStraightRouteByHand) {
   options.steps = {.main_m = 1000, .side_m = 1000, .height_m = 200};
   const Made made(flat_site(), options);  // 10 km along x at 500 m
   const std::vector<std::uint32_t> straight(9, kAhead);
-  const LatticeFlight flight = made.lattice.judge(straight);
+  const LatticeFlight flight = made.judge(straight);
   EXPECT_TRUE(flight.is_route);
   EXPECT_NEAR(flight.length_m, 10000, 1e-9);
   EXPECT_NEAR(flight.score, 10 + 10 * 0.5, 1e-6);
   std::vector<std::uint32_t> bent = straight;
   bent[0] = kAhead + 5;  // 45 degrees to the left, back again at the next
   bent[1] = kAhead - 5;
-  EXPECT_NEAR(made.lattice.judge(bent).score, 8 + 2 * std::sqrt(2.0) + 5 + kPi / 2 + kPi / 4, 1e-6);
+  EXPECT_NEAR(made.judge(bent).score, 8 + 2 * std::sqrt(2.0) + 5 + kPi / 2 + kPi / 4, 1e-6);
   EXPECT_FALSE(made.lattice.fly(std::vector<std::uint32_t>(8, kAhead)));
   EXPECT_EQ(made.lattice.places(straight).back(), made.world.site().mission.goal);
 }
@@ -141,7 +143,7 @@ TEST(TerrainLattice, PenaltiesCountWhatFiltersForbid) {
   std::vector<std::uint32_t> moves(9, kAhead);
   moves[0] = kAhead + 6;  // up by 200 m: too steep and too high
   moves[1] = kAhead - 6;  // 90 degrees, too steep
-  const LatticeFlight flight = made.lattice.judge(moves);
+  const LatticeFlight flight = made.judge(moves);
   EXPECT_TRUE(flight.is_route);
   EXPECT_EQ(flight.faults.pitch, 2U);
   EXPECT_EQ(flight.faults.height, 1U);

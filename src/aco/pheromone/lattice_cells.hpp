@@ -17,25 +17,25 @@ class LatticeCells {
  public:
   using Node = TerrainLattice::Node;
   enum class On { edges, nodes };
-  static constexpr std::size_t kRow = TerrainLattice::kRow;
+  static constexpr unsigned kRow = TerrainLattice::kRow;
 
   /// `frame` must outlive this.
   LatticeCells(const LatticeFrame& frame, On on)
       : frame_(&frame),
         on_(on),
         stored_(on == On::edges ? kRow * frame.nodes() : frame.nodes()),
-        is_known_(stored_.size()),
+        is_known_(stored_.size() / kRow + 1),
         has_known_(frame.nodes()),
         has_changed_(frame.nodes()) {}
 
-  TrailKey key(Node node, unsigned move) const {
-    return on_ == On::edges ? TrailKey{node} * kRow + move : TrailKey{frame_->after(node, move)};
+  TrailKey key(TerrainLattice::Edge edge) const {
+    return on_ == On::edges ? TrailKey{edge} : TrailKey{frame_->after(edge / kRow, edge % kRow)};
   }
 
   StoredTrail find(TrailKey key) const { return stored_[key]; }
   StoredTrail& at(TrailKey key) {
-    if (is_known_[key] == 0) known_.push_back(key);
-    is_known_[key] = 1;
+    if (!is_known(key)) known_.push_back(key);
+    is_known_[key / kRow] |= 1U << (key % kRow);
     mark(key);
     return stored_[key];
   }
@@ -43,6 +43,9 @@ class LatticeCells {
   void for_each(const Change& change) {
     for (const TrailKey key : known_) change(stored_[key]);
   }
+
+  /// Has it ever been asked for to be changed? A bit for each: fewer places to look at than for what is stored.
+  bool is_known(TrailKey key) const { return ((is_known_[key / kRow] >> (key % kRow)) & 1U) != 0; }
 
   /// What is stored for the moves of a set from a node.
   std::array<StoredTrail, kRow> row(Node node, unsigned moves) const;
@@ -60,7 +63,7 @@ class LatticeCells {
   const LatticeFrame* frame_;
   On on_;
   std::vector<StoredTrail> stored_;
-  std::vector<std::uint8_t> is_known_;
+  std::vector<std::uint32_t> is_known_;
   std::vector<TrailKey> known_;
   std::vector<std::uint8_t> has_known_, has_changed_;
   std::vector<Node> known_rows_, changed_rows_;

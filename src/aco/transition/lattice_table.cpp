@@ -5,15 +5,10 @@
 namespace alate {
 
 LatticeTable::LatticeTable(const TerrainLattice& lattice, AlignedFloats heuristic, const LatticeTableRule& rule)
-    : lattice_(lattice),
-      heuristic_(std::move(heuristic)),
-      weights_(heuristic_),
-      best_(lattice.frame().nodes()),
-      rule_(rule) {
+    : lattice_(lattice), heuristic_(std::move(heuristic)), weights_(heuristic_), rule_(rule) {
   for (unsigned came = 0; came < may_.size(); ++came)
     for (unsigned m = 0; m < lattice.frame().moves(); ++m)
       may_[came][m] = ((lattice.moves().follows(came) >> m) & 1U) != 0 ? -1 : 0;
-  for (Node node = 0; node < lattice.frame().nodes(); ++node) note_best(node);
 }
 
 void LatticeTable::prepare(Trail<LatticeCells>& trail, std::uint64_t n, std::uint64_t most) {
@@ -37,24 +32,6 @@ void LatticeTable::rebuild(Node node, const Trail<LatticeCells>& trail) {
   std::copy_n(heuristic, kRow, weights);
   for (int i = 0; i < rule_.alpha; ++i)
     for (std::size_t m = 0; m < kRow; ++m) weights[m] *= tau[m];
-  note_best(node);
-}
-
-void LatticeTable::note_best(Node node) {
-  const auto first = weights_.begin() + static_cast<std::ptrdiff_t>(kRow * node);
-  best_[node] = static_cast<std::uint8_t>(std::max_element(first, first + kRow) - first);
-}
-
-unsigned LatticeTable::heaviest_of(Node node, unsigned came) const {
-  unsigned best = kNoMove;
-  float most = 0;
-  for (unsigned m = 0; m < lattice_.frame().moves(); ++m) {
-    const float weight = weights_[kRow * node + m];
-    if (weight <= most || may_[came][m] == 0) continue;
-    most = weight;
-    best = m;
-  }
-  return best;
 }
 
 }  // namespace alate

@@ -34,11 +34,16 @@ class LatticeTable {
   /// Before iteration `n` (from 0) of `most`.
   void prepare(Trail<LatticeCells>& trail, std::uint64_t n, std::uint64_t most);
 
+  /// Asks memory for the weights of a node, for when an ant will choose there.
+  void fetch(Node node) const {
+    __builtin_prefetch(&weights_[kRow * node]);
+    __builtin_prefetch(&weights_[kRow * node + kRow / 2]);
+  }
+
   /// kNoMove where no candidate is left.
   unsigned operator()(Node node, unsigned came, Stream& stream) const {
     const std::uint64_t bits = stream.bits();
-    if (uniform(bits) < q0_) return heaviest(node, came);
-    return draw(node, came, uniform(bits << 32U));
+    return uniform(bits) < q0_ ? heaviest(node, came) : draw(node, came, uniform(bits << 32U));
   }
 
  private:
@@ -83,13 +88,29 @@ class LatticeTable {
     return may_go ? move : heaviest(node, came);  // nothing left; or a sum was rounded up
   }
 
+  /// The first of equals.
   unsigned heaviest(Node node, unsigned came) const {
-    const unsigned best = best_[node];
-    return may_[came][best] != 0 && weights_[kRow * node + best] > 0 ? best : heaviest_of(node, came);
+    const float* row = &weights_[kRow * node];
+    const std::int32_t* may = may_[came].data();
+    Quad most{};  // by lane, and in which row
+    QuadMask in = QuadMask{} + static_cast<std::int32_t>(kQuads);
+    for (std::size_t i = 0; i < kQuads; ++i) {
+      const Quad weights = only(load<Quad>(row + 4 * i), load<QuadMask>(may + 4 * i));
+      const QuadMask more = weights > most;
+      most = more ? weights : most;
+      in = more ? QuadMask{} + static_cast<std::int32_t>(i) : in;
+    }
+    // Bits of positive weights are in order; a key ends in how early the move comes. No branches.
+    const auto weights = std::bit_cast<std::array<std::uint32_t, 4>>(most);
+    const auto rows = std::bit_cast<std::array<std::uint32_t, 4>>(in);
+    std::uint64_t best = 0;
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      const std::uint64_t key = (std::uint64_t{weights[lane]} << 32U) | (kNoMove - 4 * rows[lane] - lane);
+      best = key > best ? key : best;
+    }
+    return (best >> 32U) != 0 ? kNoMove - static_cast<unsigned>(best) : kNoMove;
   }
-  unsigned heaviest_of(Node node, unsigned came) const;
   void rebuild(Node node, const Trail<LatticeCells>& trail);
-  void note_best(Node node);
 
   const TerrainLattice& lattice_;
   AlignedFloats heuristic_, weights_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "aco/ant.hpp"
@@ -41,7 +42,7 @@ class LatticeWalk {
 
   LatticeWalk(const TerrainLattice& lattice, const Options& options)
       : lattice_(lattice), options_(options), batches_((options.ants + kBatch - 1) / kBatch) {
-    for (Batch& batch : batches_) batch.path.resize(kBatch * lattice.walk_length());
+    for (Batch& batch : batches_) batch.path.resize(kBatch * lattice.walk_length() + 1);
   }
 
   void operator()(Policies& policies, std::vector<Ant>& ants, const Ant& best, RunContext& run) {
@@ -61,12 +62,9 @@ class LatticeWalk {
   /// Names the moves of a route that was changed after the walk.
   void name_route(const Policies& policies, Ant& ant) const {
     ant.keys.clear();
-    TerrainLattice::Node node = lattice_.frame().start();
-    for (const std::uint32_t move : ant.actions) {
-      ant.keys.push_back(policies.trail.store().key(node, move));
-      node = lattice_.frame().after(node, move);
-    }
-    ant.sum = lattice_.judge(ant.actions).length_m / kKm;
+    const auto edges = lattice_.edges(ant.actions);
+    for (const Edge edge : *edges) ant.keys.push_back(policies.trail.store().key(edge));
+    ant.sum = lattice_.judge(*edges).length_m / kKm;
     count_known(policies, ant);
   }
 
@@ -75,8 +73,8 @@ class LatticeWalk {
 
  private:
   using Node = TerrainLattice::Node;
+  using Edge = TerrainLattice::Edge;
   static constexpr std::size_t kBatch = 16;
-  static constexpr std::uint8_t kDropped = 0xFF;
   static constexpr double kKm = 1000;  ///< Deposits over length are in km.
 
   /// One iteration.
@@ -91,11 +89,12 @@ class LatticeWalk {
     unsigned came = TerrainLattice::kFirst;
     std::size_t follows = 0;  ///< So many moves of the best route.
     std::size_t ant = 0;
+    std::size_t moves = 0;
     Stream stream{0, 0, 0};
   };
   struct Batch {
     std::array<Slot, kBatch> slots;
-    std::vector<std::uint8_t> path;  ///< Moves, by plane and slot.
+    std::vector<Edge> path;  ///< By slot and plane.
     LatticeTally tally;
   };
 
@@ -122,6 +121,7 @@ class LatticeWalk {
             .came = TerrainLattice::kFirst,
             .follows = 0,
             .ant = ant,
+            .moves = 0,
             .stream = Stream(shift.run.seed(), shift.run.iterations(), ant)};
     shift.ants[ant].restart();
     if (options_.follow == 0 || !shift.best.arrived() || shift.best.actions.empty()) return;
@@ -133,48 +133,48 @@ class LatticeWalk {
     std::array<std::uint8_t, kBatch> active{};
     std::iota(active.begin(), active.end(), std::uint8_t{0});
     for (std::size_t plane = 0; plane < lattice_.walk_length(); ++plane) {
-      std::uint8_t* const moves = &batch.path[kBatch * plane];
       for (std::size_t i = 0; i < count;) {
         Slot& slot = batch.slots[active[i]];
         const unsigned move =
             plane < slot.follows ? shift.best.actions[plane] : shift.policies.choice(slot.node, slot.came, slot.stream);
-        if (move < TerrainLattice::kRow) {
-          moves[active[i]] = static_cast<std::uint8_t>(move);
-          slot.node = lattice_.frame().after(slot.node, move);
-          slot.came = move;
-          ++i;
-        } else {
-          moves[active[i]] = kDropped;
+        if (move >= TerrainLattice::kRow) {
           active[i] = active[--count];
+          continue;
         }
+        batch.path[active[i] * lattice_.walk_length() + plane] = TerrainLattice::kRow * slot.node + move;
+        slot.moves = plane + 1;
+        slot.node = lattice_.frame().after(slot.node, move);
+        slot.came = move;
+        shift.policies.choice.fetch(slot.node);
+        ++i;
       }
     }
   }
 
   /// Writes the walk down and judges it.
   void finish(const Shift& shift, Batch& batch, std::size_t index) const {
-    Ant& ant = shift.ants[batch.slots[index].ant];
-    Node node = lattice_.frame().start();
-    for (std::size_t plane = 0; plane < lattice_.walk_length(); ++plane) {
-      const std::uint8_t move = batch.path[kBatch * plane + index];
-      if (move == kDropped) break;
-      ant.actions.push_back(move);
-      ant.keys.push_back(shift.policies.trail.store().key(node, move));
-      node = lattice_.frame().after(node, move);
+    const Slot& slot = batch.slots[index];
+    Ant& ant = shift.ants[slot.ant];
+    const std::span<const Edge> edges(&batch.path[index * lattice_.walk_length()], slot.moves);
+    ant.actions.resize(edges.size());
+    ant.keys.resize(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      ant.actions[i] = edges[i] % TerrainLattice::kRow;
+      ant.keys[i] = shift.policies.trail.store().key(edges[i]);
     }
     count_known(shift.policies, ant);
-    if (ant.actions.size() == lattice_.walk_length()) {
-      const LatticeFlight flight = lattice_.judge(ant.actions);
-      ant.cost = flight.score;
-      ant.sum = flight.length_m / kKm;
-      ant.is_route = flight.is_route;
-      if (ant.arrived()) batch.tally.faults += flight.faults;
-    }
-    if (!ant.arrived()) ++batch.tally.dead_ends;
+    const LatticeFlight flight = lattice_.judge(edges);
+    ant.cost = flight.score;
+    ant.sum = flight.length_m / kKm;
+    ant.is_route = flight.is_route;
+    if (ant.arrived())
+      batch.tally.faults += flight.faults;
+    else
+      ++batch.tally.dead_ends;
   }
 
   static void count_known(const Policies& policies, Ant& ant) {
-    const auto known = [&](TrailKey key) { return policies.trail.known(key); };
+    const auto known = [&](TrailKey key) { return policies.trail.store().is_known(key); };
     ant.known = static_cast<std::size_t>(std::ranges::count_if(ant.keys, known));
   }
 
