@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ class LatticeFrame {
   /// The node a move leads to; only where it stays in the lattice.
   Node after(Node node, unsigned move) const { return node + static_cast<Node>(offsets_[move]); }
   bool stays(const Place& at, unsigned move) const;
+  /// The move that shifts so many cells; nothing beyond the window.
+  std::optional<unsigned> move(int side, int height) const;
   Vec3 position(const Place& at) const;
   Vec3 position(Node node) const { return position(place(node)); }
   /// Height of the ground at a node; NaN where there is none or it is unknown.
