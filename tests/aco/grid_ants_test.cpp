@@ -82,7 +82,7 @@ TEST_F(MultiFactorByHand, WeighsByTrailPowerAndMu) {
   trail.add(MoveCells::key(space_.start(), kEast), 5);
   MultiFactor factors(space_, {.mu_power = 1, .a = 1, .b = 3});
   factors.prepare(trail);
-  const MultiFactor::Row weights = factors.weights(at(kEast), factors.feasible(at(kEast)));
+  const Octet weights = factors.weights(at(kEast), factors.feasible(at(kEast)));
   const double east = 25 * std::pow(8, 3) / (1 + 3 * far_);  // eqs. (5), (6)
   const double north = 20 * std::pow(5.0 / 3 + 3 + 10 / 3.001, 3) / (1 + 3 * far_);
   EXPECT_NEAR(weights[kEast], east, 1e-4 * east);

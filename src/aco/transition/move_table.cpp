@@ -21,16 +21,4 @@ void MoveTable::rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail) {
     for (std::size_t d = 0; d < kRow; ++d) weights[d] *= tau[d];
 }
 
-unsigned MoveTable::heaviest(const GridStand& at) const {
-  unsigned best = GridSpace::kNoDirection;
-  float most = 0;
-  for (unsigned d = 0; d < kRow; ++d) {
-    const float weight = weights_[kRow * at.cell + d];
-    if (weight <= most || ((at.tabu >> d) & 1U) != 0) continue;
-    most = weight;
-    best = d;
-  }
-  return best;
-}
-
 }  // namespace alate

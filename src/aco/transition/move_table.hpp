@@ -5,12 +5,9 @@
 // without a branch that depends on chance: each would cost more than all of that.
 #pragma once
 
-#include <array>
-#include <bit>
-#include <cstring>
-
 #include "aco/pheromone/move_cells.hpp"
 #include "aco/pheromone/trail.hpp"
+#include "aco/transition/octet.hpp"
 #include "aco/walk/grid_walk.hpp"
 #include "alate/core/stream.hpp"
 
@@ -28,65 +25,27 @@ class MoveTable {
   }
 
   unsigned operator()(const GridStand& at, Stream& stream) const {
-    if (q0_ > 0 && drawn(stream) < q0_) return heaviest(at);
-    return draw(at, drawn(stream));
+    const Octet weights = OctetMask::of(~at.tabu).keep(Octet::load(&weights_[kRow * at.cell]));
+    if (q0_ > 0) return draw_or_best(weights, stream);
+    const unsigned direction = draw(weights, stream.uniform_float());
+    return direction < kRow ? direction : heaviest(weights);  // all 0, or too little to be divided
   }
 
  private:
   static constexpr std::size_t kRow = MoveCells::kRow;
-  // Four lanes are what every x86-64 has; written for any compiler that knows vectors of the GNU kind.
-  using Quad = float __attribute__((vector_size(16)));
-  using QuadMask = std::int32_t __attribute__((vector_size(16)));
-  using Lanes = std::array<std::int32_t, kRow>;
 
-  /// In [0, 1), 24 bits.
-  static float drawn(Stream& stream) {
-    return static_cast<float>(static_cast<std::int32_t>(stream.bits() >> 40U)) * 0x1.0p-24F;
+  /// Both are worked out: chance decides which counts, and no processor could foresee it.
+  unsigned draw_or_best(const Octet& weights, Stream& stream) const {
+    const bool takes_best = stream.uniform_float() < q0_;
+    const unsigned drawn = draw(weights, stream.uniform_float());
+    const unsigned best = heaviest(weights);
+    return takes_best || drawn == kRow ? best : drawn;
   }
-  template <class Vector, class Value>
-  static Vector load(const Value* from) {
-    Vector vector;
-    std::memcpy(&vector, from, sizeof vector);
-    return vector;
-  }
-  static Quad only(Quad values, QuadMask mask) { return std::bit_cast<Quad>(std::bit_cast<QuadMask>(values) & mask); }
-  static Quad running(Quad sums) {
-    constexpr Quad kNone{};
-    sums += __builtin_shufflevector(kNone, sums, 0, 4, 5, 6);
-    return sums + __builtin_shufflevector(kNone, sums, 0, 1, 4, 5);
-  }
-
-  unsigned draw(const GridStand& at, float uniform) const {
-    const float* row = &weights_[kRow * at.cell];
-    const std::int32_t* left = left_[at.tabu].data();
-    const Quad low = only(load<Quad>(row), load<QuadMask>(left));
-    const Quad high = only(load<Quad>(row + 4), load<QuadMask>(left + 4));
-    const Quad until_low = running(low);
-    const Quad until_high = running(high) + until_low[3];
-    const float point = uniform * until_high[3];
-    const QuadMask passed = (until_low <= point) + (until_high <= point);  // -1 each
-    const auto direction = static_cast<unsigned>(-(passed[0] + passed[1] + passed[2] + passed[3]));
-    const bool may_go = direction < kRow && (direction < 4 ? low[direction] : high[direction - 4]) > 0;
-    return may_go ? direction : heaviest(at);  // nothing left; or a sum was rounded up
-  }
-
-  unsigned heaviest(const GridStand& at) const;
   void rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail);
-
-  static constexpr std::array<Lanes, 256> masks() {
-    std::array<Lanes, 256> masks{};
-    for (unsigned tabu = 0; tabu < masks.size(); ++tabu)
-      for (unsigned d = 0; d < kRow; ++d) masks[tabu][d] = ((tabu >> d) & 1U) != 0 ? 0 : -1;
-    return masks;
-  }
-  /// By visited neighbours: all bits of a lane where it may be gone to.
-  static const std::array<Lanes, 256> left_;
 
   AlignedFloats heuristic_, weights_;
   int alpha_;
   float q0_;
 };
-
-inline constexpr std::array<MoveTable::Lanes, 256> MoveTable::left_ = MoveTable::masks();
 
 }  // namespace alate
