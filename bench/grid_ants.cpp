@@ -17,6 +17,7 @@
 #include "aco/heuristic/multi_factor.hpp"
 #include "aco/local_search/none.hpp"
 #include "aco/transition/move_table.hpp"
+#include "aco/walk/grid_walk.hpp"
 #include "literal_grid_ants.hpp"
 
 namespace {

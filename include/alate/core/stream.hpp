@@ -17,9 +17,6 @@ class Stream {
   /// Uniform in [0, 1), 53 bits.
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
-  /// Uniform in [0, 1), 24 bits.
-  float uniform_float() { return static_cast<float>(static_cast<std::int32_t>(bits() >> 40)) * 0x1.0p-24F; }
-
   /// Uniform in [0, count), count >= 1 (bias below 2^-32 for counts below 2^32).
   std::uint64_t below(std::uint64_t count) {
     return static_cast<std::uint64_t>((static_cast<Wide>(bits()) * count) >> 64);

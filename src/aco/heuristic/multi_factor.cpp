@@ -34,9 +34,8 @@ void MultiFactor::note_safety() {
                          : straight ? rule_.theta * rule_.u
                                     : (1 - rule_.theta) * rule_.u / count;
         const double step = 1 / space_.step(d);
-        const double joined =
-            is_sum ? r + (rule_.step_factor ? step : 0) + 2 * rule_.mu0 : r * (rule_.step_factor ? step : 1);
-        base_[came][count][d] = static_cast<float>(joined);
+        const double joined = is_sum ? r + (rule_.step_factor ? step : 0) : r * (rule_.step_factor ? step : 1);
+        safety_[came][count][d] = static_cast<float>(joined);
       }
     }
   }

@@ -2,18 +2,16 @@
 //
 // [C]: as in the public program for Li et al. 2019; [A-prose]: in words in Yin et al. 2021, whose formulas were not
 // available; [R]: reconstructed. Which cells an ant has visited changes n_i and the ranges of goal distances and
-// heights among its feasible neighbours J_i, so weights are worked out at every step, eight side by side.
+// heights among its feasible neighbours J_i, so weights are worked out at every step, for four ants side by side.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
 
 #include "aco/pheromone/move_cells.hpp"
 #include "aco/pheromone/trail.hpp"
-#include "aco/transition/octet.hpp"
-#include "aco/walk/grid_walk.hpp"
+#include "aco/walk/lanes.hpp"
 
 namespace alate {
 
@@ -52,33 +50,31 @@ class MultiFactor {
   void prepare(const Trail<MoveCells>& trail);
 
   /// Eq. (6), by roulette [C]; kNoDirection where J_i is empty.
-  unsigned operator()(const GridStand& at, Stream& stream) const {
-    const unsigned members = feasible(at);
-    if (members == 0) return GridSpace::kNoDirection;
-    const unsigned direction = draw(weights(at, members), stream.uniform_float());
-    return std::min(direction, static_cast<unsigned>(std::bit_width(members)) - 1);
+  [[gnu::always_inline]] LaneBits operator()(const GridStands& at, const LaneStreams& streams) const {
+    return pick(weights(at), draw_uniform(streams));
   }
 
-  /// J_i, bit d for direction d: free and not visited [C].
-  unsigned feasible(const GridStand& at) const { return space_.open(at.cell) & ~at.tabu; }
   /// Eq. (12) for the members of J_i; the rest means nothing.
-  Octet eta(const GridStand& at, unsigned feasible) const;
+  MoveLanes eta(const GridStands& at) const { return eta(at, feasible(at)); }
   /// Numerators of eq. (6), 0 outside J_i.
-  Octet weights(const GridStand& at, unsigned feasible) const;
+  MoveLanes weights(const GridStands& at) const;
 
  private:
   static constexpr std::size_t kRow = MoveCells::kRow;
   /// 0.001 under eqs. (1) and (3): no division by 0 where all neighbours are alike [C].
   static constexpr float kNoZero = 0.001F;
 
-  /// n_i; not every x86-64 can count bits.
-  static constexpr std::array<std::uint8_t, 256> counts() {
-    std::array<std::uint8_t, 256> counts{};
-    for (unsigned members = 0; members < counts.size(); ++members)
-      counts[members] = static_cast<std::uint8_t>(std::popcount(members));
-    return counts;
-  }
-  static const std::array<std::uint8_t, 256> kCount;
+  /// By direction: is it in J_i, free and not visited [C]?
+  using Members = std::array<LaneBits, kRow>;
+  /// The least and the largest of some values of the members of J_i.
+  struct Range {
+    LaneFloats least, most;
+  };
+
+  Members feasible(const GridStands& at) const;
+  static Range range(const MoveLanes& values, const Members& members);
+  MoveLanes safety(const GridStands& at, const Members& members) const;
+  MoveLanes eta(const GridStands& at, const Members& members) const;
 
   void note_safety();
   void note_neighbours();
@@ -87,51 +83,65 @@ class MultiFactor {
   const GridSpace& space_;
   MultiFactorRule rule_;
   float omega_, mu0_;
-  /// What of eq. (12) no place changes, by the direction one came in and n_i: eq. (2) joined with 1/d(i,j).
-  std::array<std::array<std::array<float, kRow>, kRow + 1>, kRow + 1> base_{};
+  /// Eq. (2) joined with 1/d(i,j), by the direction one came in and n_i.
+  std::array<std::array<std::array<float, kRow>, kRow + 1>, kRow + 1> safety_{};
   /// Rows of eight by cell: d_jE, h(i)-h(j) or |h(i)-h(j)| as eq. (3) needs it, mu^power, tau^alpha mu^power.
   AlignedFloats to_goal_, descent_, mu_, tau_;
   bool prepared_ = false;
 };
 
-inline constexpr std::array<std::uint8_t, 256> MultiFactor::kCount = MultiFactor::counts();
-
-/// Of the members of J_i: the largest d_jE, -d_jE, h and -h, where h is what descent_ has; J_i is not empty.
-inline Octet::Quad extremes(const Octet& to_goal, const Octet& descent, const OctetMask& members) {
-  using Quad = Octet::Quad;
-  const Octet out = members.others().keep(Octet::all(-std::numeric_limits<float>::infinity()));
-  const auto halves = [](const Octet& values) { return larger(values.low, values.high); };
-  const Quad far = halves(out + to_goal);
-  const Quad near = halves(out - to_goal);
-  const Quad down = halves(out + descent);
-  const Quad up = halves(out - descent);
-  const auto join = [](const Quad& a, const Quad& b) {  // a, b, a, b
-    return larger(__builtin_shufflevector(a, b, 0, 4, 1, 5), __builtin_shufflevector(a, b, 2, 6, 3, 7));
-  };
-  const Quad goal = join(far, near);
-  const Quad height = join(down, up);
-  return larger(__builtin_shufflevector(goal, height, 0, 1, 4, 5), __builtin_shufflevector(goal, height, 2, 3, 6, 7));
+[[gnu::always_inline]] inline MultiFactor::Members MultiFactor::feasible(const GridStands& at) const {
+  const auto moves = [&](std::size_t i) { return static_cast<std::int32_t>(space_.open(at.cell[i])); };
+  const LaneBits open{moves(0), moves(1), moves(2), moves(3)};
+  Members members;
+  for (unsigned d = 0; d < kRow; ++d) members[d] = at.left(d) & ((open & (1 << d)) != 0);
+  return members;
 }
 
-inline Octet MultiFactor::eta(const GridStand& at, unsigned feasible) const {
-  using Quad = Octet::Quad;
-  const Octet to_goal = Octet::load(&to_goal_[kRow * at.cell]);
-  const Octet descent = Octet::load(&descent_[kRow * at.cell]);
-  const Octet base = Octet::load(base_[at.came][kCount[feasible]].data());
-  const Quad most = extremes(to_goal, descent, OctetMask::of(feasible));
-  const Quad range = most + __builtin_shufflevector(most, most, 1, 0, 3, 2) + kNoZero;
-  const Quad per = omega_ / range;
-  const Quad steepest = larger(most, __builtin_shufflevector(most, most, 1, 0, 3, 2));
-  const Octet phi = Octet::all(per[0]) * (Octet::all(most[0]) - to_goal);              // eq. (1), less mu0
-  const Octet v = Octet::all(per[2]) * (Octet::all(steepest[2]) - absolute(descent));  // eqs. (3), (4), less mu0
-  if (rule_.join == MultiFactorRule::Join::sum) return base + phi + v;                 // eq. (12)
-  return base * (phi + Octet::all(mu0_)) * (v + Octet::all(mu0_));
+/// With all bits set a value is no number, and no comparison with it holds.
+[[gnu::always_inline]] inline MultiFactor::Range MultiFactor::range(const MoveLanes& values, const Members& members) {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  Range range{.least = LaneFloats{} + kNever, .most = LaneFloats{} - kNever};
+  for (std::size_t d = 0; d < kRow; ++d) {
+    const auto value = std::bit_cast<LaneFloats>(std::bit_cast<LaneBits>(values[d]) | ~members[d]);
+    range.least = smaller(value, range.least);
+    range.most = larger(value, range.most);
+  }
+  return range;
 }
 
-inline Octet MultiFactor::weights(const GridStand& at, unsigned feasible) const {
-  Octet weights = OctetMask::of(feasible).keep(Octet::load(&tau_[kRow * at.cell]));
-  const Octet base = eta(at, feasible);
-  for (int i = 0; i < rule_.beta; ++i) weights = weights * base;
+[[gnu::always_inline]] inline MoveLanes MultiFactor::safety(const GridStands& at, const Members& members) const {
+  LaneBits count{};
+  for (const LaneBits& member : members) count -= member;
+  std::array<const float*, kAntLanes> rows;
+  for (std::size_t i = 0; i < kAntLanes; ++i) rows[i] = safety_[at.came[i]][static_cast<std::size_t>(count[i])].data();
+  return load_rows(rows);
+}
+
+[[gnu::always_inline]] inline MoveLanes MultiFactor::eta(const GridStands& at, const Members& members) const {
+  const MoveLanes to_goal = at.load(to_goal_);
+  const MoveLanes descent = at.load(descent_);
+  const Range far = range(to_goal, members);
+  const Range height = range(descent, members);
+  const LaneFloats per_far = omega_ / (far.most - far.least + kNoZero);
+  const LaneFloats per_height = omega_ / (height.most - height.least + kNoZero);
+  const LaneFloats steepest = larger(height.most, -height.least);
+  MoveLanes eta = safety(at, members);
+  for (std::size_t d = 0; d < kRow; ++d) {
+    const LaneFloats phi = per_far * (far.most - to_goal[d]) + mu0_;                          // eq. (1)
+    const LaneFloats v = per_height * (steepest - larger(descent[d], -descent[d])) + mu0_;    // eqs. (3), (4)
+    eta[d] = rule_.join == MultiFactorRule::Join::sum ? eta[d] + phi + v : eta[d] * phi * v;  // eq. (12)
+  }
+  return eta;
+}
+
+[[gnu::always_inline]] inline MoveLanes MultiFactor::weights(const GridStands& at) const {
+  const Members members = feasible(at);
+  const MoveLanes base = eta(at, members);
+  MoveLanes weights = at.load(tau_);
+  for (int i = 0; i < rule_.beta; ++i)
+    for (std::size_t d = 0; d < kRow; ++d) weights[d] *= base[d];
+  for (std::size_t d = 0; d < kRow; ++d) weights[d] = keep(weights[d], members[d]);
   return weights;
 }
 

@@ -1,15 +1,12 @@
 // Moves drawn from a table: for each cell the eight weights tau^alpha eta^beta, built again where trails have changed.
 //
 // Random proportional rule (Dorigo, Maniezzo, Colorni 1996, eq. (4)); with chance q0 the heaviest move instead (Dorigo,
-// Gambardella 1997, eq. (3)). A draw masks the visited neighbours, sums and compares eight weights side by side,
-// without a branch that depends on chance: each would cost more than all of that.
+// Gambardella 1997, eq. (3)). No branch depends on chance: each would cost more than a draw.
 #pragma once
 
 #include "aco/pheromone/move_cells.hpp"
 #include "aco/pheromone/trail.hpp"
-#include "aco/transition/octet.hpp"
-#include "aco/walk/grid_walk.hpp"
-#include "alate/core/stream.hpp"
+#include "aco/walk/lanes.hpp"
 
 namespace alate {
 
@@ -24,23 +21,18 @@ class MoveTable {
     for (const GridSpace::Cell cell : trail.store().known_cells()) rebuild(cell, trail);
   }
 
-  unsigned operator()(const GridStand& at, Stream& stream) const {
-    const Octet weights = OctetMask::of(~at.tabu).keep(Octet::load(&weights_[kRow * at.cell]));
-    if (q0_ > 0) return draw_or_best(weights, stream);
-    const unsigned direction = draw(weights, stream.uniform_float());
-    return direction < kRow ? direction : heaviest(weights);  // all 0, or too little to be divided
+  LaneBits operator()(const GridStands& at, const LaneStreams& streams) const {
+    MoveLanes weights = at.load(weights_);
+    for (unsigned d = 0; d < kRow; ++d) weights[d] = keep(weights[d], at.left(d));
+    const LaneBits drawn = pick(weights, draw_uniform(streams));
+    if (q0_ == 0) return drawn;
+    const LaneBits takes_best = (draw_uniform(streams) < q0_) | (drawn == kRow);
+    return (heaviest(weights) & takes_best) | (drawn & ~takes_best);
   }
 
  private:
   static constexpr std::size_t kRow = MoveCells::kRow;
 
-  /// Both are worked out: chance decides which counts, and no processor could foresee it.
-  unsigned draw_or_best(const Octet& weights, Stream& stream) const {
-    const bool takes_best = stream.uniform_float() < q0_;
-    const unsigned drawn = draw(weights, stream.uniform_float());
-    const unsigned best = heaviest(weights);
-    return takes_best || drawn == kRow ? best : drawn;
-  }
   void rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail);
 
   AlignedFloats heuristic_, weights_;
