@@ -6,8 +6,9 @@
 namespace alate {
 
 namespace {
-float power(float base, int exponent) {
-  float result = 1;
+template <class Base>
+Base power(const Base& base, int exponent) {
+  Base result = Base{} + 1;
   for (int i = 0; i < exponent; ++i) result *= base;
   return result;
 }
@@ -67,9 +68,12 @@ void MultiFactor::prepare(const Trail<MoveCells>& trail) {
 }
 
 void MultiFactor::note_trails(GridSpace::Cell cell, const Trail<MoveCells>& trail) {
-  const StoredTrail* stored = trail.store().row(cell);
-  for (std::size_t d = 0; d < kRow; ++d)
-    tau_[kRow * cell + d] = power(trail.levels().read(stored[d]), rule_.alpha) * mu_[kRow * cell + d];
+  for (const std::size_t half : {0U, 4U}) {
+    const std::size_t at = kRow * cell + half;
+    const LaneFloats level = trail.levels().read(load_four(trail.store().row(cell) + half));
+    const LaneFloats tau = power(level, rule_.alpha) * load_four(&mu_[at]);
+    std::memcpy(&tau_[at], &tau, sizeof tau);
+  }
 }
 
 }  // namespace alate

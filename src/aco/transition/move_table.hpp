@@ -17,9 +17,7 @@ class MoveTable {
       : heuristic_(std::move(heuristic)), weights_(heuristic_), alpha_(alpha), q0_(static_cast<float>(q0)) {}
 
   /// On cells that no trail has left all eight are alike and change nothing.
-  void prepare(const Trail<MoveCells>& trail) {
-    for (const GridSpace::Cell cell : trail.store().known_cells()) rebuild(cell, trail);
-  }
+  void prepare(const Trail<MoveCells>& trail);
 
   LaneBits operator()(const GridStands& at, const LaneStreams& streams) const {
     MoveLanes weights = at.load(weights_);
@@ -33,7 +31,7 @@ class MoveTable {
  private:
   static constexpr std::size_t kRow = MoveCells::kRow;
 
-  void rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail);
+  void rebuild(GridSpace::Cell cell, const StoredTrail* stored, const TrailLevels& levels);
 
   AlignedFloats heuristic_, weights_;
   int alpha_;

@@ -29,16 +29,21 @@ using LaneStreams = std::array<Stream*, kAntLanes>;
 /// In [0, 1), 24 bits, each from its own stream.
 inline LaneFloats draw_uniform(const LaneStreams& streams) {
   const auto draw = [&](std::size_t i) { return static_cast<std::int32_t>(streams[i]->bits() >> 40U); };
-  const LaneBits bits{draw(0), draw(1), draw(2), draw(3)};
-  return __builtin_convertvector(bits, LaneFloats) * 0x1.0p-24F;
+  return __builtin_convertvector(LaneBits{draw(0), draw(1), draw(2), draw(3)}, LaneFloats) * 0x1.0p-24F;
+}
+
+inline LaneFloats load_four(const float* values) {
+  LaneFloats lanes;
+  std::memcpy(&lanes, values, sizeof lanes);
+  return lanes;
 }
 
 /// Lane i: the eight values at rows[i].
 inline MoveLanes load_rows(const std::array<const float*, kAntLanes>& rows) {
   MoveLanes lanes;
   for (std::size_t half = 0; half < lanes.size(); half += kAntLanes) {
-    std::array<LaneFloats, kAntLanes> ant;
-    for (std::size_t i = 0; i < kAntLanes; ++i) std::memcpy(&ant[i], rows[i] + half, sizeof ant[i]);
+    const std::array<LaneFloats, kAntLanes> ant{load_four(rows[0] + half), load_four(rows[1] + half),
+                                                load_four(rows[2] + half), load_four(rows[3] + half)};
     const LaneFloats a = __builtin_shufflevector(ant[0], ant[1], 0, 4, 1, 5);
     const LaneFloats b = __builtin_shufflevector(ant[2], ant[3], 0, 4, 1, 5);
     const LaneFloats c = __builtin_shufflevector(ant[0], ant[1], 2, 6, 3, 7);
