@@ -147,7 +147,7 @@ class GridWalk {
       if (seat(shift, crew, slot)) crew.active[crew.count++] = &slot;
     for (std::size_t round = 0; crew.count > 0; ++round) {
       if (round % kPollEvery == 0 && !shift.run.keep_going()) break;
-      for (std::size_t lane = 0; lane < crew.count; lane += kAntLanes) step(shift, crew, lane);
+      step(shift, crew);
     }
     for (std::size_t i = 0; i < crew.count; ++i) finish(shift, *crew.active[i]);
     for (; crew.next < crew.last; ++crew.next) shift.ants[crew.next].restart();
@@ -160,18 +160,21 @@ class GridWalk {
     return false;
   }
 
-  /// One move of four ants. The last comes first, so that whoever takes an empty place has moved, or will next time.
-  [[gnu::always_inline]] void step(const Shift& shift, Crew& crew, std::size_t first) const {
-    const auto slots = std::span(crew.active).subspan(first).template first<kAntLanes>();
-    const LaneStreams streams{&slots[0]->stream, &slots[1]->stream, &slots[2]->stream, &slots[3]->stream};
-    const auto direction =
-        std::bit_cast<std::array<std::uint32_t, kAntLanes>>(shift.policies.choice(look(slots), streams));
-    for (std::size_t i = std::min(kAntLanes, crew.count - first); i-- > 0;) {
-      Slot& slot = *slots[i];
+  /// One move of all. The last comes first, so that whoever takes an empty place has moved.
+  [[gnu::always_inline]] void step(const Shift& shift, Crew& crew) const {
+    std::array<std::uint32_t, kSlots> direction{};
+    for (std::size_t lane = 0; lane < crew.count; lane += kAntLanes) {
+      const auto slots = std::span(crew.active).subspan(lane).template first<kAntLanes>();
+      const LaneStreams streams{&slots[0]->stream, &slots[1]->stream, &slots[2]->stream, &slots[3]->stream};
+      const LaneBits drawn = shift.policies.choice(look(slots), streams);
+      std::memcpy(&direction[lane], &drawn, sizeof drawn);
+    }
+    for (std::size_t i = crew.count; i-- > 0;) {
+      Slot& slot = *crew.active[i];
       if (go(slot, direction[i])) continue;
       finish(shift, slot);
       if (seat(shift, crew, slot)) continue;
-      slots[i] = crew.active[--crew.count];
+      crew.active[i] = crew.active[--crew.count];
       crew.active[crew.count] = crew.active[kSlots];
     }
   }
