@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "out/xml_balance.hpp"
+#include "study/judgement.hpp"
 #include "study/yin2021/claims.hpp"
 #include "study/yin2021/defects.hpp"
-#include "study/yin2021/judgement.hpp"
 #include "study/yin2021/reproduction.hpp"
 
 namespace alate::yin2021 {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "space/height_grid.hpp"
-#include "study/yin2021/judgement.hpp"
+#include "study/judgement.hpp"
 #include "study/yin2021/summary.hpp"
 
 namespace alate::yin2021 {

@@ -8,6 +8,14 @@ namespace alate::yin2021 {
 
 namespace {
 
+Effect percent_effect(std::string what, const Pairs& pairs) {
+  return alate::percent_effect(std::move(what), mean_interval(pairs.percent()));
+}
+
+Effect plain_effect(std::string what, std::string unit, const Pairs& pairs) {
+  return alate::plain_effect(std::move(what), std::move(unit), mean_interval(pairs.differences()));
+}
+
 std::optional<double> value_of(const Effect& effect) {
   return effect.change ? std::optional(effect.change->value) : std::nullopt;
 }

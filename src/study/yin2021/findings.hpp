@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "study/yin2021/judgement.hpp"
+#include "study/judgement.hpp"
+#include "study/yin2021/figures.hpp"
 
 namespace alate::yin2021 {
 

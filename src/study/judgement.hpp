@@ -5,9 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "study/yin2021/figures.hpp"
+#include "alate/study/reproduce.hpp"
+#include "study/bootstrap.hpp"
 
-namespace alate::yin2021 {
+namespace alate {
 
 /// One sentence of a claim, judged.
 struct Part {
@@ -15,7 +16,7 @@ struct Part {
   ClaimVerdict verdict = ClaimVerdict::cannot_be_told;
 };
 
-/// A change from the baseline to the new method, or a mean of one of them, over the maps.
+/// A change from the baseline to the new method, or a mean of one of them, over maps or runs.
 struct Effect {
   std::string what;
   std::string unit;
@@ -25,9 +26,9 @@ struct Effect {
 };
 
 /// In percent of the baseline; up to 1 % is hardly a difference.
-Effect percent_effect(std::string what, const Pairs& pairs);
+Effect percent_effect(std::string what, const std::optional<Interval>& percent);
 /// In units of the figure ("turns", "iterations"); up to 0.5 is hardly a difference.
-Effect plain_effect(std::string what, std::string unit, const Pairs& pairs);
+Effect plain_effect(std::string what, std::string unit, const std::optional<Interval>& difference);
 
 /// Lower: holds where the whole interval lies below 0; does not where none of it lies below a negligible change.
 Part falls(const Effect& effect);
@@ -38,7 +39,7 @@ Part hardly_changes(const Effect& effect);
 /// A fall as large as `published` (< 0): holds where the interval lies below 0 and reaches it, does not where none of
 /// it does.
 Part falls_to(const Effect& effect, double published);
-/// A mean over the maps, at most `limit`; above it.
+/// A mean, at most `limit`; above it.
 Part at_most(const std::string& what, const std::optional<Interval>& mean, double limit);
 Part above(const std::string& what, const std::optional<Interval>& mean, double limit);
 
@@ -50,4 +51,4 @@ ClaimVerdict any_of(const std::vector<Part>& parts);
 /// "-0.31 % (-0.52 to -0.10)".
 std::string change_words(const Interval& change, const std::string& unit);
 
-}  // namespace alate::yin2021
+}  // namespace alate

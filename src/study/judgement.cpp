@@ -1,11 +1,11 @@
-#include "study/yin2021/judgement.hpp"
+#include "study/judgement.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace alate::yin2021 {
+namespace alate {
 
 namespace {
 
@@ -45,15 +45,12 @@ std::string change_words(const Interval& change, const std::string& unit) {
                        decimals);
 }
 
-Effect percent_effect(std::string what, const Pairs& pairs) {
-  return {.what = std::move(what), .unit = "%", .change = mean_interval(pairs.percent()), .hardly = kHardly_percent};
+Effect percent_effect(std::string what, const std::optional<Interval>& percent) {
+  return {.what = std::move(what), .unit = "%", .change = percent, .hardly = kHardly_percent};
 }
 
-Effect plain_effect(std::string what, std::string unit, const Pairs& pairs) {
-  return {.what = std::move(what),
-          .unit = std::move(unit),
-          .change = mean_interval(pairs.differences()),
-          .hardly = kHardly};
+Effect plain_effect(std::string what, std::string unit, const std::optional<Interval>& difference) {
+  return {.what = std::move(what), .unit = std::move(unit), .change = difference, .hardly = kHardly};
 }
 
 Part falls(const Effect& effect) {
@@ -110,4 +107,4 @@ ClaimVerdict any_of(const std::vector<Part>& parts) {
                 !parts.empty() && std::ranges::all_of(parts, is(ClaimVerdict::does_not_hold)));
 }
 
-}  // namespace alate::yin2021
+}  // namespace alate
