@@ -59,14 +59,19 @@ void fill(const Problem& problem, const TerrainLattice& lattice, const TerrainSe
   plan.cost = Objective(problem.world).route_cost(plan.route);
 }
 
-/// Empty after the lattice has been searched.
+/// Says what is wrong; empty once there is a route. Where a narrow window leads nowhere a wide one is tried.
 std::string search_lattice(const Problem& problem, RunContext& run, const LatticeOptions& options,
                            const TerrainSearch& search, Plan& plan) {
   LatticeFrame frame(problem.world, options.steps);
   if (!frame.fault().empty()) return frame.fault();
   const TerrainLattice lattice(problem.world, std::move(frame), options, run);
   if (lattice.moves().stopped()) return "stopped before any route was found";
-  if (!lattice.moves().has_way()) return no_way(lattice);
+  if (!lattice.moves().has_way()) {
+    if (options.steps.side_m > 0 || options.steps.side_share >= 1) return no_way(lattice);
+    LatticeOptions wide = options;
+    wide.steps.side_share = 1;
+    return search_lattice(problem, run, wide, search, plan);
+  }
   fill(problem, lattice, search, plan);
   if (!plan.route.empty()) return "";
   if (was_stopped(run.stop())) return "stopped before any route was found";

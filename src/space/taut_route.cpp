@@ -49,7 +49,7 @@ bool TautRoute::fits(const Places& places, std::size_t corner) const {
 bool TautRoute::keeps_range(const Places& places) const { return range_m_ == kInfinity || length(places) <= range_m_; }
 
 std::vector<Vec3> TautRoute::pull(std::vector<Vec3> places, double step_m, RunContext& run) const {
-  constexpr std::array kHalvings{2.0, 1.0, 0.5};  // of `step_m`, for legs
+  constexpr std::array kHalvings{2.0, 1.0, 0.5, 0.25};  // of `step_m`, for legs
   places = drop(places, run);
   for (const double share : kHalvings) {
     if (!run.keep_going()) break;
