@@ -78,7 +78,10 @@ class LatticeFrame {
   Vec3 position(const Place& at) const;
   Vec3 position(Node node) const { return position(place(node)); }
   /// Height of the ground at a node; NaN where there is none or it is unknown.
-  double ground(const Place& at) const { return ground_[static_cast<std::size_t>(at.plane * columns_ + at.side)]; }
+  double ground(const Place& at) const {
+    const int cell = at.plane * columns_ + at.side;
+    return ground_[static_cast<std::size_t>(cell)];
+  }
   /// Step lengths along the main direction, sideways, upwards.
   const Vec3& steps_m() const { return steps_m_; }
   /// A vector by main direction, sideways, upwards.
