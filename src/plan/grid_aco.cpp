@@ -17,6 +17,7 @@
 #include "aco/local_search/sight.hpp"
 #include "aco/one_of.hpp"
 #include "aco/transition/move_table.hpp"
+#include "aco/walk/grid_walk.hpp"
 #include "plan/grid_aco_parameters.hpp"
 #include "plan/grid_plan.hpp"
 #include "plan/grid_planners.hpp"

@@ -2,35 +2,91 @@
 //
 // Every preset is a row of parameter values; the loop is aco/colony.hpp. What of the paper is verbatim, partly read or
 // reconstructed is said at each policy and in the parameters' sources.
+#include <algorithm>
+
 #include "aco/colony.hpp"
 #include "aco/deposit/bounded_ant_system.hpp"
 #include "aco/deposit/dual_strategy.hpp"
 #include "aco/deposit/max_min.hpp"
 #include "aco/heuristic/lattice_goal.hpp"
 #include "aco/heuristic/terrain_factors.hpp"
-#include "aco/local_search/none.hpp"
+#include "aco/local_search/corridor.hpp"
 #include "aco/one_of.hpp"
 #include "aco/transition/lattice_table.hpp"
 #include "aco/walk/lattice_walk.hpp"
 #include "plan/terrain_aco_parameters.hpp"
 #include "plan/terrain_plan.hpp"
 #include "plan/terrain_planners.hpp"
+#include "space/taut_route.hpp"
 
 namespace alate {
 
 namespace {
 
 using AnyDeposit = OneOf<MaxMin, DualStrategy, BoundedAntSystem>;
-using Policies = LatticePolicies<LatticeTable, AnyDeposit, NoLocalSearch>;
+
+/// What is done to the best ant of an iteration; and where good ants lead to off the lattice. Costs on the lattice know
+/// few directions, so the ant that leads to the best route need not be the best one.
+class Polish {
+ public:
+  struct Kept {
+    std::vector<Vec3> places;
+    double cost = kInfinity;
+  };
+
+  /// `taut`: null to stay on the lattice; it and `kept` must outlive this.
+  Polish(bool in_corridor, const TautRoute* taut, Kept* kept) : in_corridor_(in_corridor), taut_(taut), kept_(kept) {}
+
+  bool operator()(const TerrainLattice& lattice, Ant& ant, double best, RunContext& run) {
+    const bool changed = in_corridor_ && improve(lattice, ant, run);
+    if (taut_ != nullptr && ant.cost < best * (1 + kNear) && is_new(ant.cost)) pull(lattice, ant, run);
+    return changed;
+  }
+
+ private:
+  bool improve(const TerrainLattice& lattice, Ant& ant, RunContext& run) {
+    std::vector<std::uint32_t> actions = ant.actions;
+    if (!corridor_(lattice, actions, run)) return false;
+    const auto flight = lattice.fly(actions);
+    if (!flight || !(flight->cost < ant.cost)) return false;
+    ant.actions = std::move(actions);
+    ant.cost = flight->cost;
+    return true;
+  }
+
+  void pull(const TerrainLattice& lattice, const Ant& ant, RunContext& run) const {
+    const double step = std::abs(lattice.frame().steps_m().x());
+    std::vector<Vec3> places = taut_->pull(lattice.places(ant.actions), step, run);
+    const double cost = taut_->cost(places);
+    if (cost < kept_->cost) *kept_ = {.places = std::move(places), .cost = cost};
+  }
+
+  static constexpr double kNear = 0.03;
+
+  /// Routes of one cost are taken for one route.
+  bool is_new(double cost) {
+    const auto place = std::ranges::lower_bound(seen_, cost);
+    if (place != seen_.end() && *place == cost) return false;
+    seen_.insert(place, cost);
+    return true;
+  }
+
+  bool in_corridor_;
+  const TautRoute* taut_;
+  Kept* kept_;
+  Corridor corridor_;
+  std::vector<double> seen_;  ///< Costs of routes that were pulled, in order.
+};
+
+using Policies = LatticePolicies<LatticeTable, AnyDeposit, Polish>;
 
 class TerrainAco {
  public:
   explicit TerrainAco(ParamValues values) : values_(std::move(values)) {}
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_over_terrain(
-        problem, run, {.steps = steps(), .rules = rules(), .score = score()},
-        {.search = [&](const TerrainLattice& lattice) { return fly_colony(lattice, run); }, .polish = {}});
+    return plan_over_terrain(problem, run, {.steps = steps(), .rules = rules(), .score = score()},
+                             [&](const TerrainLattice& lattice) { return fly_colony(lattice, problem.world, run); });
   }
 
  private:
@@ -77,20 +133,21 @@ class TerrainAco {
             .penalty = number("penalty")};
   }
 
-  LatticeFound fly_colony(const TerrainLattice& lattice, RunContext& run) const {
+  LatticeFound fly_colony(const TerrainLattice& lattice, const World& world, RunContext& run) const {
     LatticeFound found;
-    const LatticeCells cells(lattice.frame(),
-                             is("trail_on", "nodes") ? LatticeCells::On::nodes : LatticeCells::On::edges);
+    const TautRoute taut(world);
+    Polish::Kept kept;
+    const bool on_nodes = is("trail_on", "nodes");
+    const LatticeCells cells(lattice.frame(), on_nodes ? LatticeCells::On::nodes : LatticeCells::On::edges);
     Colony<TerrainLattice, Policies> colony(
         lattice,
         Policies{.choice = LatticeTable(lattice, heuristic(lattice), table_rule()),
                  .trail = Trail<LatticeCells>(cells, trail_rule()),
                  .deposit = deposit(),
-                 .local_search = {}},
+                 .local_search = Polish(is("local_search", "corridor"), is("polish", "taut") ? &taut : nullptr, &kept)},
         {.ants = count("ants"), .iterations = count("iterations"), .follow = number("follow"), .tally = &found.tally});
     const Ant& best = colony.run(run);
-    found.found = best.arrived();
-    found.actions = best.actions;
+    if (best.arrived()) found.places = kept.places.empty() ? lattice.places(best.actions) : kept.places;
     found.moves = colony.moves();
     found.history = colony.history();
     return found;

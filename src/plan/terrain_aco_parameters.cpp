@@ -225,6 +225,17 @@ std::vector<Parameter> choice_parameters() {
            "rises to 0.8.",
        .source = "Mai et al. 2023, eq. (15) (verbatim, n from 0: ours)"},
       follow_parameter(0.3),
+      {.name = "local_search",
+       .default_value = word("corridor"),
+       .choices = {"corridor", "none"},
+       .help = "What is done to the best ant of an iteration: the best string of moves within a cell of its own.",
+       .source = "alate"},
+      {.name = "polish",
+       .default_value = word("taut"),
+       .choices = {"taut", "none"},
+       .help = "What becomes of each new best route: it leaves the lattice and is pulled taut, for the scenario's "
+               "objective.",
+       .source = "alate"},
   };
 }
 

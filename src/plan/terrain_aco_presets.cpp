@@ -18,6 +18,8 @@ std::map<std::string, ParamValue> papers(std::map<std::string, ParamValue> value
                                                  {"iterations", whole(500)},
                                                  {"heuristic", word("smd")},
                                                  {"follow", 0.0},
+                                                 {"local_search", word("none")},
+                                                 {"polish", word("none")},
                                                  {"evaporation", 0.2},
                                                  {"q", 100.0}});
   return values;

@@ -47,17 +47,15 @@ void count(const TerrainLattice& lattice, const LatticeTally& tally, Plan& plan)
 }
 
 void fill(const Problem& problem, const TerrainLattice& lattice, const TerrainSearch& search, Plan& plan) {
-  LatticeFound found = search.search(lattice);
+  LatticeFound found = search(lattice);
   count(lattice, found.tally, plan);
   plan.counters["candidates"] = found.moves * lattice.frame().moves();
   plan.counters["expansions"] = found.moves;
   plan.counters["last_change"] = last_change(found.history);
   plan.history = std::move(found.history);
-  if (!found.found) return;
-  std::vector<Vec3> places = lattice.places(found.actions);
-  if (search.polish) places = search.polish(std::move(places));
+  if (found.places.empty()) return;
   plan.outcome = Outcome::feasible;
-  plan.route = route_over(places);
+  plan.route = route_over(found.places);
   plan.cost = Objective(problem.world).route_cost(plan.route);
 }
 

@@ -17,18 +17,13 @@ std::string terrain_refusal(const Problem& problem);
 
 /// What a search on a lattice found.
 struct LatticeFound {
-  bool found = false;
-  std::vector<std::uint32_t> actions;
-  std::uint64_t moves = 0;  ///< That were tried.
+  std::vector<Vec3> places;  ///< From start to goal; empty: no route.
+  std::uint64_t moves = 0;   ///< That were tried.
   LatticeTally tally;
   std::vector<IterationStats> history;
 };
 
-struct TerrainSearch {
-  std::function<LatticeFound(const TerrainLattice&)> search;
-  /// Better places for a route that was found, first and last the same; empty: as they are.
-  std::function<std::vector<Vec3>(std::vector<Vec3>)> polish;
-};
+using TerrainSearch = std::function<LatticeFound(const TerrainLattice&)>;
 
 /// Builds the space, searches and wraps up. That no string of moves leads to the goal proves nothing beyond the
 /// lattice: none_found, with the plane that moves from the start reach at most. The history tells what the colony ranks

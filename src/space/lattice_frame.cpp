@@ -141,6 +141,11 @@ bool LatticeFrame::stays(const Place& at, unsigned move) const {
   return at.plane + 1 < planes_ && side >= 0 && side < columns_ && height >= 0 && height < levels_;
 }
 
+std::optional<unsigned> LatticeFrame::move(int side, int height) const {
+  if (std::abs(side) > window_side_ || std::abs(height) > window_height_) return std::nullopt;
+  return static_cast<unsigned>((side + window_side_) * (2 * window_height_ + 1) + height + window_height_);
+}
+
 Vec3 LatticeFrame::position(const Place& at) const {
   Vec3 position = start_;
   position[main_] += at.plane * steps_m_.x();

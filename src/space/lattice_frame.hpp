@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,10 +71,15 @@ class LatticeFrame {
   /// The node a move leads to; only where it stays in the lattice.
   Node after(Node node, unsigned move) const { return node + static_cast<Node>(offsets_[move]); }
   bool stays(const Place& at, unsigned move) const;
+  /// The move that shifts so many cells; nothing beyond the window.
+  std::optional<unsigned> move(int side, int height) const;
   Vec3 position(const Place& at) const;
   Vec3 position(Node node) const { return position(place(node)); }
   /// Height of the ground at a node; NaN where there is none or it is unknown.
-  double ground(const Place& at) const { return ground_[static_cast<std::size_t>(at.plane * columns_ + at.side)]; }
+  double ground(const Place& at) const {
+    const int cell = at.plane * columns_ + at.side;
+    return ground_[static_cast<std::size_t>(cell)];
+  }
   /// Step lengths along the main direction, sideways, upwards.
   const Vec3& steps_m() const { return steps_m_; }
   /// A vector by main direction, sideways, upwards.

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "space/sure_leg.hpp"
+
 namespace alate {
 
 namespace {
@@ -34,6 +36,7 @@ LatticeMoves::LatticeMoves(const World& world, const LatticeFrame& frame, const 
       aircraft_(world.site()),
       asks_each_leg_(world.site().band.ceiling_agl_m ||
                      std::ranges::any_of(world.site().threats, [](const Threat& t) { return t.core_m > 0; })),
+      slack_m_(hill_slack_m(world.site())),
       open_(frame.nodes()),
       clear_(frame.nodes()),
       joins_(frame.plane_size()),
@@ -106,7 +109,7 @@ void LatticeMoves::open_column(int plane, int column) {
     const int to = column + shift.side;
     if (!holds(shapes_, move) || to < 0 || to >= frame_.columns()) continue;
     const Segment lowest{frame_.position({plane, column, 0}), frame_.position({plane + 1, to, shift.height})};
-    const double missing = world_.site().band.clearance_m - kHair_m - world_.clearance(lowest);
+    const double missing = world_.site().band.clearance_m + slack_m_ - kHair_m - world_.clearance(lowest);
     const double level = std::clamp(std::ceil(missing / frame_.steps_m().z()), 0.0, double(frame_.levels()));
     open_move({.plane = plane, .column = column, .move = move, .lowest = static_cast<unsigned>(level)});
   }
@@ -116,8 +119,8 @@ bool LatticeMoves::is_free(const ColumnMove& what, int level) const {
   if (level < static_cast<int>(what.lowest)) return false;
   if (!asks_each_leg_) return true;
   const LatticeFrame::Shift& shift = frame_.shifts()[what.move];
-  return world_.is_free({frame_.position({what.plane, what.column, level}),
-                         frame_.position({what.plane + 1, what.column + shift.side, level + shift.height})});
+  return is_surely_free(world_, {frame_.position({what.plane, what.column, level}),
+                                 frame_.position({what.plane + 1, what.column + shift.side, level + shift.height})});
 }
 
 void LatticeMoves::open_move(const ColumnMove& what) {
@@ -157,7 +160,7 @@ unsigned LatticeMoves::joins_from(Node node) const {
   const Vec3 leg = frame_.goal() - from;
   if (!rules_.any_join && !frame_.goal_in_window(from)) return 0;
   if (!aircraft_.allows(leg) || (rules_.filters && (is_short(leg) || is_steep(leg)))) return 0;
-  if (!world_.is_free({from, frame_.goal()})) return 0;
+  if (!is_surely_free(world_, {from, frame_.goal()})) return 0;
   unsigned after = aircraft_.allows_first(leg) ? 1U << LatticeFrame::kFirst : 0;
   for (unsigned came = 0; came < frame_.moves(); ++came) {
     const Vec3& before = frame_.shifts()[came].leg;

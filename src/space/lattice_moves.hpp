@@ -103,6 +103,7 @@ class LatticeMoves {
   LatticeRules rules_;
   StraightLimits aircraft_;
   bool asks_each_leg_;  ///< Ceilings above ground and cores do not simply rise with the level.
+  double slack_m_;
   unsigned shapes_ = 0;
   std::array<unsigned, LatticeFrame::kMostMoves + 1> follows_{};
   std::vector<std::uint32_t> open_, clear_, joins_;

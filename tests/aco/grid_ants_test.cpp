@@ -14,7 +14,9 @@
 #include "aco/local_search/none.hpp"
 #include "aco/local_search/sight.hpp"
 #include "aco/transition/move_table.hpp"
+#include "aco/walk/grid_walk.hpp"
 #include "support/grid_sites.hpp"
+#include "support/grid_stands.hpp"
 
 namespace alate {
 namespace {
@@ -33,10 +35,11 @@ class MultiFactorByHand : public testing::Test {
     return grid;
   }
 
-  GridStand at(unsigned came) const { return {.cell = space_.start(), .came = came}; }
+  GridStands at(unsigned came, unsigned tabu = 0) const {
+    return test::stands_at({.cell = space_.start(), .came = came, .tabu = tabu});
+  }
   float eta(unsigned direction, unsigned came, const MultiFactorRule& rule) const {
-    const MultiFactor factors(space_, rule);
-    return factors.eta(at(came), factors.feasible(at(came)))[direction];
+    return MultiFactor(space_, rule).eta(at(came))[direction][0];
   }
 
   HeightGrid grid_ = hills();
@@ -71,10 +74,18 @@ TEST_F(MultiFactorByHand, KeepsItsVariants) {
 
 TEST_F(MultiFactorByHand, VisitedNeighboursLeaveJ) {
   const MultiFactor factors(space_, {});
-  const GridStand stand{.cell = space_.start(), .came = kEast, .tabu = 1U << kNorthEast};
-  const unsigned feasible = factors.feasible(stand);
-  EXPECT_EQ(feasible, (1U << kEast) | (1U << kNorth));
-  EXPECT_NEAR(factors.eta(stand, feasible)[kNorth], 5.0 / 2 + 1 + 1 + (10 / 3.001 + 1), 1e-4);
+  const GridStands stands = at(kEast, 1U << kNorthEast);
+  EXPECT_NEAR(factors.eta(stands)[kNorth][0], 5.0 / 2 + 1 + 1 + (10 / 3.001 + 1), 1e-4);
+  EXPECT_EQ(factors.weights(stands)[kNorthEast][0], 0);
+}
+
+TEST_F(MultiFactorByHand, AnAntWithoutANeighbourHasNoDirection) {
+  Trail<MoveCells> trail(MoveCells(space_.cells()), {.initial = 20, .unknown_decays = true});
+  MultiFactor factors(space_, {});
+  factors.prepare(trail);
+  Stream stream(1, 1, 1);
+  const LaneBits directions = factors(at(kEast, 0xFF), {&stream, &stream, &stream, &stream});
+  for (std::size_t i = 0; i < kAntLanes; ++i) EXPECT_EQ(directions[i], GridSpace::kNoDirection);
 }
 
 TEST_F(MultiFactorByHand, WeighsByTrailPowerAndMu) {
@@ -82,32 +93,39 @@ TEST_F(MultiFactorByHand, WeighsByTrailPowerAndMu) {
   trail.add(MoveCells::key(space_.start(), kEast), 5);
   MultiFactor factors(space_, {.mu_power = 1, .a = 1, .b = 3});
   factors.prepare(trail);
-  const MultiFactor::Row weights = factors.weights(at(kEast), factors.feasible(at(kEast)));
+  const MoveLanes weights = factors.weights(at(kEast));
   const double east = 25 * std::pow(8, 3) / (1 + 3 * far_);  // eqs. (5), (6)
   const double north = 20 * std::pow(5.0 / 3 + 3 + 10 / 3.001, 3) / (1 + 3 * far_);
-  EXPECT_NEAR(weights[kEast], east, 1e-4 * east);
-  EXPECT_NEAR(weights[kNorth], north, 1e-4 * north);
-  EXPECT_EQ(weights[4], 0);
+  EXPECT_NEAR(weights[kEast][0], east, 1e-4 * east);
+  EXPECT_NEAR(weights[kNorth][0], north, 1e-4 * north);
+  EXPECT_EQ(weights[4][0], 0);
   MultiFactor inside(space_, {.mu_power = 1, .mu_place = MultiFactorRule::MuPlace::inside, .a = 1, .b = 3});
   inside.prepare(trail);
   const double cubed = 25 * std::pow(8 / (1 + 3 * far_), 3);
-  EXPECT_NEAR(inside.weights(at(kEast), inside.feasible(at(kEast)))[kEast], cubed, 1e-4 * cubed);
+  EXPECT_NEAR(inside.weights(at(kEast))[kEast][0], cubed, 1e-4 * cubed);
+}
+
+LaneStreams pointers(std::array<Stream, kAntLanes>& streams) {
+  return {&streams[0], &streams[1], &streams[2], &streams[3]};
 }
 
 TEST(MoveTable, DrawsInProportionAmongUnvisited) {
   AlignedFloats weights(16);
   for (std::size_t d = 0; d < 8; ++d) weights[8 + d] = d == 5 ? 0.0F : static_cast<float>(d + 1);
   const MoveTable table(weights, 1, 0);
-  Stream stream(1, 1, 1);
-  constexpr int kDraws = 200000;
+  std::array<Stream, kAntLanes> streams{Stream{1, 1, 1}, {1, 1, 2}, {1, 1, 3}, {1, 1, 4}};
+  constexpr std::size_t kDraws = 200000;
   for (const unsigned tabu : {0U, 0b10000100U, 0b11011111U}) {
     std::array<int, 8> counts{};
-    int fitting = 0;
+    std::size_t fitting = 0;
     double sum = 0;
     for (unsigned d = 0; d < 8; ++d) sum += ((tabu >> d) & 1U) != 0 ? 0 : double{weights[8 + d]};
-    for (int i = 0; i < kDraws; ++i)
-      if (const unsigned d = table({.cell = 1, .tabu = tabu}, stream); d < 8) ++counts[d], ++fitting;
-    EXPECT_EQ(fitting, sum > 0 ? kDraws : 0);
+    for (std::size_t i = 0; i < kDraws; i += kAntLanes) {
+      const LaneBits drawn = table(test::stands_at({.cell = 1, .tabu = tabu}), pointers(streams));
+      for (std::size_t lane = 0; lane < kAntLanes; ++lane)
+        if (const auto d = static_cast<unsigned>(drawn[lane]); d < 8) ++counts[d], ++fitting;
+    }
+    EXPECT_EQ(fitting, sum > 0 ? kDraws : 0U);
     for (unsigned d = 0; sum > 0 && d < 8; ++d) {
       const double chance = ((tabu >> d) & 1U) != 0 ? 0 : double{weights[8 + d]} / sum;
       EXPECT_NEAR(counts[d], kDraws * chance, 5 * std::sqrt(kDraws * chance * (1 - chance))) << tabu << ' ' << d;
@@ -119,9 +137,9 @@ TEST(MoveTable, TakesTheHeaviestWithChanceQ0) {
   AlignedFloats weights(8, 1.0F);
   weights[3] = 2;
   const MoveTable table(weights, 1, 1);
-  Stream stream(1, 1, 1);
-  EXPECT_EQ(table({}, stream), 3U);
-  EXPECT_EQ(table({.tabu = 1U << 3U}, stream), 0U);
+  std::array<Stream, kAntLanes> streams{Stream{1, 1, 1}, {1, 1, 2}, {1, 1, 3}, {1, 1, 4}};
+  EXPECT_EQ(table(test::stands_at({}), pointers(streams))[0], 3);
+  EXPECT_EQ(table(test::stands_at({.tabu = 1U << 3U}), pointers(streams))[0], 0);
 }
 
 template <class Choice, class Deposit>
@@ -147,8 +165,9 @@ std::vector<Ant> walked(const GridSpace& space, const GridWalkOptions& options) 
 TEST(GridWalk, NoAntVisitsACellTwiceAndDeadOnesHaveNoCost) {
   const HeightGrid grid = test::drawn_grid(20, 2);
   const GridSpace space = corner_space(grid, 1.4);
+  constexpr int kAnts = 3000;  // of whom so many share a slot that marks of visited cells are used again
   int arrived = 0;
-  for (const Ant& ant : walked(space, {.ants = 200})) {
+  for (const Ant& ant : walked(space, {.ants = kAnts})) {
     std::set<GridSpace::Cell> visited{space.start()};
     GridSpace::Cell cell = space.start();
     for (std::size_t i = 0; i < ant.actions.size(); ++i) {
@@ -164,7 +183,7 @@ TEST(GridWalk, NoAntVisitsACellTwiceAndDeadOnesHaveNoCost) {
     }
   }
   EXPECT_GT(arrived, 0);
-  EXPECT_LT(arrived, 200);
+  EXPECT_LT(arrived, kAnts);
 }
 
 TEST(GridWalk, AntsThatMayStepBackAllArrive) {

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "alate/check/check.hpp"
+#include "space/sure_leg.hpp"
 #include "support/terrain_sites.hpp"
 
 namespace alate {
@@ -65,8 +66,8 @@ TEST(LatticeFrame, SaysWhyThereIsNone) {
   EXPECT_NE(LatticeFrame(World(site), {.main = MainDirection::x}).fault().find("same x"), std::string::npos);
 }
 
-/// Every open move by the decision of World on its own leg, and no other is free.
-TEST(LatticeMoves, AreThoseThatWorldCallsFree) {
+/// Open are those moves that World calls free, each asked by itself, and no others.
+TEST(LatticeMoves, AreThoseWhoseLegsAreFree) {
   Site site = simple_site();
   site.mission.goal = {20000, 20000, 1000};
   site.threats.push_back({.name = "core", .center = {9000, 8000, 1000}, .radius_m = 3000, .core_m = 1500});
@@ -80,7 +81,7 @@ TEST(LatticeMoves, AreThoseThatWorldCallsFree) {
       if (!frame.stays(frame.place(node), m)) continue;
       const Segment leg{frame.position(node), frame.position(frame.after(node, m))};
       const bool is_open = ((made.lattice.moves().open(node) >> m) & 1U) != 0;
-      ASSERT_EQ(is_open, made.world.is_free(leg)) << node << ' ' << m;
+      ASSERT_EQ(is_open, is_surely_free(made.world, leg)) << node << ' ' << m;
       ++(is_open ? open : closed);
     }
   }

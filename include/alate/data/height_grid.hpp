@@ -36,7 +36,8 @@ struct HeightGrid {
   /// Column and row of the cell around `xy`; nothing outside the grid.
   std::optional<std::array<int, 2>> cell_at(const Vec2& xy) const {
     const Vec2 at = (xy - origin) / cell_m;
-    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < columns && at.y() < rows)) return std::nullopt;
+    const bool inside = at.x() >= 0 && at.y() >= 0 && at.x() < columns && at.y() < rows;
+    if (!inside) return std::nullopt;
     return {{static_cast<int>(at.x()), rows - 1 - static_cast<int>(at.y())}};
   }
   Box2 area() const { return {origin, origin + Vec2(columns * cell_m, rows * cell_m)}; }

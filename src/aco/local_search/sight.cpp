@@ -73,31 +73,25 @@ bool Sight::shorten_from(const GridSpace& space, std::size_t first) {
   return false;
 }
 
-/// seen_[d (straights + 1) + s]: may the cell after d diagonal and s straight steps be reached?
+/// First diagonally, then straight, or the other way round.
 bool Sight::connect(const GridSpace& space, Cell from, Cell to) {
   const Steps steps = steps_between(space, from, to);
-  const std::size_t row = steps.straights + 1;
-  const auto cell_at = [&](std::size_t d, std::size_t s) {
-    return from + static_cast<Cell>(space.offsets()[steps.diagonal]) * static_cast<Cell>(d) +
-           static_cast<Cell>(space.offsets()[steps.straight]) * static_cast<Cell>(s);
-  };
-  const auto can = [&](std::size_t d, std::size_t s, unsigned direction) {
-    return seen_[d * row + s] != 0 && ((space.open(cell_at(d, s)) >> direction) & 1U) != 0;
-  };
-  const auto by_diagonal = [&](std::size_t d, std::size_t s) { return d > 0 && can(d - 1, s, steps.diagonal); };
-  seen_.assign(row * (steps.diagonals + 1), 0);
-  for (std::size_t d = 0; d <= steps.diagonals; ++d)
-    for (std::size_t s = 0; s <= steps.straights; ++s)
-      seen_[d * row + s] = d + s == 0 || by_diagonal(d, s) || (s > 0 && can(d, s - 1, steps.straight)) ? 1 : 0;
-  if (seen_.back() == 0) return false;
+  const auto lead_on = [&](std::size_t count, unsigned direction) { bridge_.insert(bridge_.end(), count, direction); };
   bridge_.clear();
-  for (std::size_t d = steps.diagonals, s = steps.straights; d + s > 0;) {
-    const bool diagonal = by_diagonal(d, s);
-    bridge_.push_back(diagonal ? steps.diagonal : steps.straight);
-    (diagonal ? d : s) -= 1;
-  }
-  std::ranges::reverse(bridge_);
-  return true;
+  lead_on(steps.diagonals, steps.diagonal);
+  lead_on(steps.straights, steps.straight);
+  if (is_free(space, from)) return true;
+  std::ranges::rotate(bridge_, bridge_.begin() + static_cast<std::ptrdiff_t>(steps.diagonals));
+  return is_free(space, from);
+}
+
+/// May the bridge be walked?
+bool Sight::is_free(const GridSpace& space, Cell cell) const {
+  return std::ranges::all_of(bridge_, [&](std::uint32_t direction) {
+    const bool free = ((space.open(cell) >> direction) & 1U) != 0;
+    cell = space.neighbour(cell, direction);
+    return free;
+  });
 }
 
 /// Puts the bridge in the place of the moves from `first` to `last`.

@@ -1,10 +1,11 @@
 // Shortcuts by sight: a stretch of a route on a grid is replaced by one that is as short as if all cells were free.
 //
-// Two cells see each other if some order of the diagonal and straight steps between them meets no blocked cell. All
+// Two cells see each other if one of two connections is free: all diagonal steps and then the straight ones, or the
+// other way round. That is looked at and no more: nothing is searched, and no way leads round a blocked cell. All
 // stretches of up to `reach` moves are tried, the longest first, until none gets shorter.
 //
 // Source: alate; string pulling as in any-angle planning (Daniel et al. 2010, post-smoothed A*), with moves of the grid
-// for lines. Cost: moves x reach x reach^2 / 8 at worst; most stretches are found to be shortest at a glance.
+// for lines. Cost: moves x reach x 2 reach at worst; most stretches are found to be shortest at a glance.
 #pragma once
 
 #include <span>
@@ -29,6 +30,7 @@ class Sight {
   bool shorten(const GridSpace& space);
   bool shorten_from(const GridSpace& space, std::size_t first);
   bool connect(const GridSpace& space, Cell from, Cell to);
+  bool is_free(const GridSpace& space, Cell cell) const;
   void splice(const GridSpace& space, std::size_t first, std::size_t last);
 
   std::size_t reach_;
@@ -36,7 +38,6 @@ class Sight {
   std::vector<Cell> cells_;            ///< One more.
   std::vector<double> until_;          ///< Length until each cell.
   std::vector<std::uint32_t> bridge_;  ///< Directions of the connection found last.
-  std::vector<std::uint8_t> seen_;
 };
 
 }  // namespace alate

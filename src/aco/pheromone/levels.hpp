@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace alate {
 
@@ -32,6 +33,16 @@ class TrailLevels {
     return enough < most_ ? enough : most_;
   }
 
+  /// Of several, in a vector of the GNU kind.
+  template <class Vector>
+    requires(!std::is_arithmetic_v<Vector>)
+  Vector read(const Vector& stored) const {
+    constexpr Vector kNone{};
+    const Vector level = stored == 0 ? kNone + unknown_ : stored * scale_;
+    const Vector enough = level < least_ ? kNone + least_ : level;
+    return enough < most_ ? enough : kNone + most_;
+  }
+
   /// What to store for a level. A known place never stores 0.
   StoredTrail stored(double level) const {
     const float bounded = std::clamp(static_cast<float>(level), least_, most_);
@@ -42,7 +53,7 @@ class TrailLevels {
   template <class Rescale>
   void evaporate(const Rescale& rescale) {
     scale_ *= kept_;
-    if (unknown_decays_) unknown_ *= kept_;
+    if (unknown_decays_) unknown_ = std::max(unknown_ * kept_, kKnown);
     if (scale_ > kLeastScale) return;
     const float scale = scale_;
     rescale([scale](StoredTrail& value) { value = std::max(value * scale, kKnown); });

@@ -1,36 +1,32 @@
 #include "aco/transition/move_table.hpp"
 
-#include <algorithm>
+#include <limits>
 
 namespace alate {
 
-/// Trails are taken as shares of the highest that leaves the cell: where all have evaporated long ago, ants still walk.
-void MoveTable::rebuild(GridSpace::Cell cell, const Trail<MoveCells>& trail) {
+void MoveTable::prepare(const Trail<MoveCells>& trail) {
   const TrailLevels levels = trail.levels();
-  const StoredTrail* stored = trail.store().row(cell);
-  const float* heuristic = &heuristic_[kRow * cell];
-  float* weights = &weights_[kRow * cell];
-  std::array<float, kRow> tau{};
-  for (std::size_t d = 0; d < kRow; ++d) tau[d] = levels.read(stored[d]);
-  float highest = tau[0];
-  for (std::size_t d = 1; d < kRow; ++d) highest = tau[d] > highest ? tau[d] : highest;
-  const float share = highest > std::numeric_limits<float>::min() ? 1 / highest : 0;
-  for (std::size_t d = 0; d < kRow; ++d) tau[d] = share > 0 ? tau[d] * share : 1;
-  std::copy_n(heuristic, kRow, weights);
-  for (int i = 0; i < alpha_; ++i)
-    for (std::size_t d = 0; d < kRow; ++d) weights[d] *= tau[d];
+  for (const GridSpace::Cell cell : trail.store().known_cells()) rebuild(cell, trail.store().row(cell), levels);
 }
 
-unsigned MoveTable::heaviest(const GridStand& at) const {
-  unsigned best = GridSpace::kNoDirection;
-  float most = 0;
-  for (unsigned d = 0; d < kRow; ++d) {
-    const float weight = weights_[kRow * at.cell + d];
-    if (weight <= most || ((at.tabu >> d) & 1U) != 0) continue;
-    most = weight;
-    best = d;
+/// Trails are taken as shares of the highest that leaves the cell: where all have evaporated long ago, ants still walk.
+/// A share has a floor that no chance comes near: numbers that small are slow, and ants left with such moves still
+/// walk.
+void MoveTable::rebuild(GridSpace::Cell cell, const StoredTrail* stored, const TrailLevels& levels) {
+  constexpr float kLeast = std::numeric_limits<float>::min();
+  constexpr float kLeastShare = 1e-20F;
+  const std::array<LaneFloats, 2> tau{levels.read(load_four(stored)), levels.read(load_four(stored + 4))};
+  LaneFloats most = larger(tau[0], tau[1]);
+  most = larger(most, __builtin_shufflevector(most, most, 2, 3, 0, 1));
+  most = larger(most, __builtin_shufflevector(most, most, 1, 0, 3, 2));
+  for (std::size_t half = 0; half < 2; ++half) {
+    const std::size_t at = kRow * cell + 4 * half;
+    const LaneFloats of_most = larger(tau[half], most * kLeastShare) / most;
+    const LaneFloats share = most > kLeast ? of_most : LaneFloats{} + 1;
+    LaneFloats weights = load_four(&heuristic_[at]);
+    for (int i = 0; i < alpha_; ++i) weights *= share;
+    std::memcpy(&weights_[at], &weights, sizeof weights);
   }
-  return best;
 }
 
 }  // namespace alate
