@@ -15,10 +15,9 @@ for argument in "$@"; do
   esac
 done
 
-sources() { find apps bench examples include src tests "$@" -print0; }
-
 check_format() {
-  sources \( -name '*.cpp' -o -name '*.hpp' \) | xargs -0 clang-format-19 --dry-run -Werror
+  find apps bench examples include src tests \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
+    xargs -0 clang-format-19 --dry-run -Werror
 }
 
 # test_preset PRESET: configure, build, run.
@@ -28,19 +27,13 @@ test_preset() {
   ctest --preset "$1" --parallel "$(nproc)"
 }
 
-# Needs the compile commands of a build that knows every source, benchmarks included.
-check_tidy() {
-  configure tidy
-  sources -name '*.cpp' -not -path 'tests/install/*' |
-    xargs -0 -n 1 -P "$(jobs)" clang-tidy-19 -p build/tidy --quiet
-}
-
 install_missing cmake/packages.txt cmake/packages-test.txt
 check_format
 if [[ $all == yes ]]; then
-  configure bench
-  build bench
-  check_tidy
+  for preset in bench tidy; do
+    configure $preset
+    build $preset
+  done
   test_preset asan
   test_preset tsan
 fi

@@ -93,7 +93,7 @@ std::string describe(const Result& result) {
 }
 
 std::string height_note(const Site& site) {
-  if (site.grid) {
+  if (site.grid && !site.has_ground()) {
     return "The route lies in the plane of the grid; heights are marks of its cells.\n"
            "Planning help, not clearance to fly.\n";
   }

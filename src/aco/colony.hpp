@@ -110,6 +110,7 @@ class Colony {
     std::uint64_t moves = 0;
     std::uint64_t known = 0;
     double sum = 0;
+    double scores = 0;
     for (const Ant& ant : ants_) {
       moves += ant.actions.size();
       known += ant.known;
@@ -119,6 +120,7 @@ class Colony {
       ++routes;
       const double cost = Walk::told(ant);
       sum += cost;
+      scores += ant.cost;
       result.best = std::min(result.best.value_or(cost), cost);
       result.worst = std::max(result.worst.value_or(cost), cost);
     }
@@ -127,6 +129,10 @@ class Colony {
     if (routes != 0) result.mean = sum / static_cast<double>(routes);
     result.arrived = static_cast<double>(arrived) / static_cast<double>(ants_.size());
     if (moves != 0) result.known = static_cast<double>(known) / static_cast<double>(moves);
+    if constexpr (requires { space_.measure(best_.actions); }) {
+      if (best_.arrived()) result.grid = GridStats{.best = space_.measure(best_.actions), .mean_score = {}};
+      if (result.grid && routes != 0) result.grid->mean_score = scores / static_cast<double>(routes);
+    }
     return result;
   }
 

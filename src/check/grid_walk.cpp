@@ -58,9 +58,10 @@ std::span<const GridCell> cells_of(const Stretch& stretch) { return {stretch.cel
 }  // namespace
 
 Stretch GridWalk::stretch(const Vec2& begin, const Vec2& end) const {
-  Stretch result{.begin = begin, .middle = (begin + end) / 2};
+  const Vec2 middle = (begin + end) / 2;
+  Stretch result{.begin = grid_.origin + begin, .middle = grid_.origin + middle};
   const Vec2 farthest(grid_.columns + 2, grid_.rows + 2);
-  const Vec2 place = (result.middle / grid_.cell_m).cwiseMax(-2).cwiseMin(farthest);
+  const Vec2 place = (middle / grid_.cell_m).cwiseMax(-2).cwiseMin(farthest);
   const double slack = kRoundingNoise / grid_.cell_m;
   const Range1 columns = cells_at(place.x(), slack);
   const Range1 rows = cells_at(place.y(), slack);
@@ -71,12 +72,12 @@ Stretch GridWalk::stretch(const Vec2& begin, const Vec2& end) const {
   return result;
 }
 
-std::vector<Stretch> GridWalk::advance(const Vec2& to) {
+std::vector<Stretch> GridWalk::advance(const Vec2& place) {
+  const Vec2 to = place - grid_.origin;
   if ((to - at_).norm() <= kRoundingNoise) return {};
-  const Box2 area = grid_.area();
   const Vec2 margin = Vec2::Constant(grid_.cell_m);
-  const auto part =
-      clipped({Vec3(at_.x(), at_.y(), 0), Vec3(to.x(), to.y(), 0)}, {area.min - margin, area.max + margin});
+  const Vec2 size = Vec2(grid_.columns, grid_.rows) * grid_.cell_m;
+  const auto part = clipped({Vec3(at_.x(), at_.y(), 0), Vec3(to.x(), to.y(), 0)}, {-margin, size + margin});
   at_ = to;
   if (!part) return {};
   const Vec2 a = part->a.head<2>();

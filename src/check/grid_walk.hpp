@@ -28,19 +28,20 @@ struct Stretch {
 /// chain of them hides nothing. Places within kRoundingNoise of a grid line lie on it.
 class GridWalk {
  public:
-  GridWalk(const HeightGrid& grid, Vec2 start) : grid_(grid), at_(std::move(start)) {}
+  GridWalk(const HeightGrid& grid, const Vec2& start) : grid_(grid), at_(start - grid.origin) {}
 
-  /// The stretches of the straight flight to `to`, in order; parts more than a cell outside the grid left out. At most
-  /// columns + rows + 5 of them.
-  std::vector<Stretch> advance(const Vec2& to);
+  /// The stretches of the straight flight to `place`, in order; parts more than a cell outside the grid left out. At
+  /// most columns + rows + 5 of them.
+  std::vector<Stretch> advance(const Vec2& place);
   /// Where it stands.
   Stretch here() const { return stretch(at_, at_); }
 
  private:
+  /// Between places counted from the grid's origin.
   Stretch stretch(const Vec2& begin, const Vec2& end) const;
 
   const HeightGrid& grid_;
-  Vec2 at_;
+  Vec2 at_;  ///< From the grid's origin.
 };
 
 /// A free cell of the stretch; nothing if none is.

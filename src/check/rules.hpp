@@ -7,12 +7,13 @@
 namespace alate {
 
 /// Lowest height above ground of each leg, at least the band's clearance. On a grid a blocked cell is ground of endless
-/// height, see judge_blocked_cells.
+/// height, see judge_blocked_cells; of a grid cut from a raster the ground itself is judged as well.
 RuleReport judge_terrain_clearance(const Flight& flight);
 
 /// Counts, leg by leg, where the route touches blocked cells: flies through the inside of one or along the common side
 /// of two, or changes cells across a corner of one (no corner cutting). A route may run along one side of a blocked
-/// cell. Part of terrain_clearance; what lies outside the grid is left to `bounds`.
+/// cell. Part of terrain_clearance; what lies outside the grid is left to `bounds`. Over ground, which gives a leg a
+/// margin in metres, legs that touch none are passed over.
 void judge_blocked_cells(const Flight& flight, RuleReport& report);
 
 /// Highest height of each leg, at most the ceilings above ground and above sea level; the worse of both.

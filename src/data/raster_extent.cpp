@@ -46,16 +46,21 @@ std::optional<GeoBox> raster_extent(const std::string& file) {
   const std::unique_ptr<OGRCoordinateTransformation, TransformDeleter> transform(
       OGRCreateCoordinateTransformation(&source, &wgs84));
   if (!transform) return std::nullopt;
-  std::array<double, 4> x{};
-  std::array<double, 4> y{};
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    const double column = corner % 2 == 0 ? 0.5 : dataset->GetRasterXSize() - 0.5;
-    const double row = corner < 2 ? 0.5 : dataset->GetRasterYSize() - 0.5;
-    x[corner] = g[0] + column * g[1] + row * g[2];
-    y[corner] = g[3] + column * g[4] + row * g[5];
+  const double right = dataset->GetRasterXSize() - 0.5;
+  const double bottom = dataset->GetRasterYSize() - 0.5;
+  constexpr std::size_t kMiddle = 4;  // after the four corners
+  const std::array<double, 5> columns{0.5, right, 0.5, right, (right + 0.5) / 2};
+  const std::array<double, 5> rows{0.5, 0.5, bottom, bottom, (bottom + 0.5) / 2};
+  std::array<double, 5> x{};
+  std::array<double, 5> y{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x.at(i) = g[0] + columns.at(i) * g[1] + rows.at(i) * g[2];
+    y.at(i) = g[3] + columns.at(i) * g[4] + rows.at(i) * g[5];
   }
   if (transform->Transform(x.size(), x.data(), y.data()) == 0) return std::nullopt;
-  return GeoBox{.min = {std::ranges::min(y), std::ranges::min(x)}, .max = {std::ranges::max(y), std::ranges::max(x)}};
+  return GeoBox{.min = {std::ranges::min(y), std::ranges::min(x)},
+                .max = {std::ranges::max(y), std::ranges::max(x)},
+                .middle = {y[kMiddle], x[kMiddle]}};
 }
 
 }  // namespace alate

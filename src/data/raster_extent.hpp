@@ -12,6 +12,7 @@ namespace alate {
 struct GeoBox {
   GeoPoint min;
   GeoPoint max;
+  GeoPoint middle;  ///< Of the raster itself, also where the date line runs through it.
 
   bool contains(const GeoPoint& point) const;
   /// "lat 36.16000 to 36.44583, lon -84.41333 to -84.07833".

@@ -54,8 +54,9 @@ Description describe(FrameSpec& frame) {
                          !frame.origin && !frame.local,
                          field("crs", "",
                                "\"auto\" takes the UTM zone of the midpoint of start and goal, which must have lat and "
-                               "lon, or a local frame if `grid` is given, or `navigation` and all is in metres; else "
-                               "any projected CRS in metres, such as \"EPSG:21781\".",
+                               "lon, or of the middle of `grid.dem`, or a local frame beside any other `grid`, or "
+                               "`navigation` where all is in metres; else any projected CRS in metres, such as "
+                               "\"EPSG:21781\".",
                                text(frame.crs))),
                      field("origin", "", "A transverse Mercator of scale 1 around this point, which becomes (0, 0).",
                            group(frame.origin)),
@@ -103,27 +104,43 @@ Description describe(RandomGridSpec& random) {
 }
 
 Description describe(GridSpec& grid) {
+  const bool cut = !grid.dem.empty();
   return {.fields = {field("map", "", "Map in the format of the Moving AI benchmarks; relative to this file.",
                            text(grid.map, Text::Use::path)),
                      field("random", "", "Cells drawn at random.", group(grid.random)),
-                     field("heights", "",
-                           "Height of each cell. peaks: the absolute value of MATLAB's peaks over the whole grid, "
-                           "rotated by 90 degrees (Yin et al. 2021).",
-                           choice(grid.heights, {"flat", "peaks"})),
-                     field("cell_m", "m", "Side of a cell.", number(grid.cell_m, from_to(kLeastCell, kMostCell)))},
-          .one_of = {{"map"}, {"random"}}};
+                     field("dem", "",
+                           "Raster of ground heights above mean sea level, in any CRS, cut as a whole into cells of "
+                           "cell_m; relative to this file. A cell is as high as the highest post under or beside it.",
+                           text(grid.dem, Text::Use::path)),
+                     field("level_amsl_m", "m",
+                           "Flight level of the whole route, beside dem. A cell is blocked where its height and "
+                           "clearance_m reach it, and where ground is unknown.",
+                           number(grid.level_amsl_m)),
+                     written_if(cut, field("clearance_m", "m", "Least height above ground; dem only.",
+                                           number(grid.clearance_m, at_least(0)))),
+                     written_if(!cut, field("heights", "",
+                                            "Height of each cell of a map or of random cells. peaks: the absolute "
+                                            "value of MATLAB's peaks over the whole grid, rotated by 90 degrees (Yin "
+                                            "et al. 2021).",
+                                            choice(grid.heights, {"flat", "peaks"}))),
+                     field("cell_m", "m", "Side of a cell; required beside dem.",
+                           number(grid.cell_m, from_to(kLeastCell, kMostCell)))},
+          .one_of = {{"map"}, {"random"}, {"dem", "level_amsl_m"}}};
 }
 
 Description describe_place(PlaceSpec& place) {
-  return {.fields = {field("position_m", "m", "x east, y north in the frame, z above mean sea level.",
-                           numbers(place.position_m)),
-                     field("cell", "", "Column and row of a cell of `grid`; [0, 0] is the upper left.",
-                           whole_numbers(place.cell, kCell)),
-                     field("lat", "deg", "Latitude, WGS 84.", number(place.lat_deg, kLatitude)),
-                     field("lon", "deg", "Longitude, WGS 84.", number(place.lon_deg, kLongitude)),
-                     field("amsl_m", "m", "Height above mean sea level.", number(place.amsl_m)),
-                     field("agl_m", "m", "Height above ground; needs terrain.", number(place.agl_m))},
-          .one_of = {{"position_m"}, {"cell"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}}};
+  return {
+      .fields =
+          {field("position_m", "m", "x east, y north in the frame, z above mean sea level.", numbers(place.position_m)),
+           field("cell", "", "Column and row of a cell of `grid`; [0, 0] is the upper left.",
+                 whole_numbers(place.cell, kCell)),
+           field("lat", "deg",
+                 "Latitude, WGS 84. Beside `grid.dem` lat and lon alone stand for the middle of the cell around them.",
+                 number(place.lat_deg, kLatitude)),
+           field("lon", "deg", "Longitude, WGS 84.", number(place.lon_deg, kLongitude)),
+           field("amsl_m", "m", "Height above mean sea level.", number(place.amsl_m)),
+           field("agl_m", "m", "Height above ground; needs terrain.", number(place.agl_m))},
+      .one_of = {{"position_m"}, {"cell"}, {"lat", "lon"}, {"lat", "lon", "amsl_m"}, {"lat", "lon", "agl_m"}}};
 }
 
 Description describe(StartSpec& start) {
@@ -279,9 +296,10 @@ Description describe(Scenario& scenario) {
           field("frame", "", "The one metric frame the route is planned in.", group(scenario.frame)),
           field("terrain", "", "The ground and the band above it.", group(scenario.terrain)),
           field("grid", "",
-                "Free and blocked cells in place of terrain, in a local frame with (0, 0) at the lower left corner. "
-                "Start and goal are cells, and routes lie at z = 0. A blocked cell is ground of endless height for the "
-                "rule terrain_clearance: a leg may run along one side of it, but neither enter it nor cut its corner.",
+                "Free and blocked cells in place of terrain, in a local frame with (0, 0) at the lower left corner; "
+                "cells cut from dem lie on Earth. Start and goal are cells, and routes lie at z = 0 or at the flight "
+                "level. A blocked cell is ground of endless height for the rule terrain_clearance: a leg may run along "
+                "one side of it, but neither enter it nor cut its corner.",
                 group(scenario.grid)),
           written_if(scenario.start.place.given(),
                      required_unless("navigation",

@@ -48,6 +48,11 @@ class Rules {
     fault.field = path;
     faults_.push_back(std::move(fault));
   }
+  /// Is there a grid that is cut from a raster?
+  bool is_cut() const { return scenario_.grid && given("grid.dem"); }
+  void check_cut_grid();
+  void check_cell(const std::string& path);
+  void check_place(const std::string& path);
   void check_ground_frame(const std::string& path, bool geographic);
   void check_above_ground(const std::string& path);
   void check_threat(const ThreatSpec& threat, const std::string& path);
@@ -75,17 +80,17 @@ void Rules::check_terrain() {
 }
 
 void Rules::check_grid() {
-  const bool gridded = scenario_.grid.has_value();
-  for (const std::string path : {"start", "goal"}) {
-    if (!gridded && given(path + ".cell")) report(path + ".cell", {.message = "needs a grid"});
-    if (gridded && given(path) && !given(path + ".cell") && sound(path + ".cell"))
-      report(path, {.limit = "{cell: [column, row]}", .message = "must be a cell of the grid"});
-  }
-  if (!gridded) return;
-  for (const std::string path : {"terrain", "navigation", "frame.origin"}) {
+  if (!scenario_.grid) return;
+  for (const std::string path : {"terrain", "navigation"}) {
     if (given(path)) report(path, {.message = "cannot stand beside a grid"});
   }
-  if (scenario_.frame.crs != "auto") report("frame.crs", {.message = "a grid lies in a local frame"});
+  if (is_cut()) {
+    check_cut_grid();
+  } else {
+    if (given("frame.origin")) report("frame.origin", {.message = "cannot stand beside a grid"});
+    if (scenario_.frame.crs != "auto") report("frame.crs", {.message = "a grid lies in a local frame"});
+    if (given("grid.clearance_m")) report("grid.clearance_m", {.message = "belongs to a grid cut from a dem"});
+  }
   if (!scenario_.grid->random || !sound("grid.random.size")) return;
   const auto& [columns, rows] = scenario_.grid->random->size;
   if (const std::int64_t cells = std::int64_t{columns} * rows; cells > kMaxGridCells) {
@@ -96,6 +101,30 @@ void Rules::check_grid() {
   }
 }
 
+void Rules::check_cut_grid() {
+  if (!given("grid.cell_m"))
+    report("grid.cell_m", {.limit = fmt::format(">= {}", kLeastCell),
+                           .unit = "m",
+                           .message = "is missing: a dem is cut into cells of it"});
+  if (given("grid.heights")) report("grid.heights", {.message = "a dem has its own heights"});
+}
+
+/// Start or goal beside a grid.
+void Rules::check_cell(const std::string& path) {
+  if (!given(path) || given(path + ".cell") || !sound(path)) return;
+  const bool geographic = given(path + ".lat");
+  if (!is_cut() || !geographic) {
+    report(path, {.limit = is_cut() ? "{cell: [column, row]} or {lat, lon}" : "{cell: [column, row]}",
+                  .message = "must be a cell of the grid"});
+    return;
+  }
+  check_ground_frame(path, geographic);
+  for (const char* height : {".amsl_m", ".agl_m"}) {
+    if (given(path + height))
+      report(path + height, {.message = "the route flies at grid.level_amsl_m; leave this height out"});
+  }
+}
+
 /// lat and lon mean nothing in a local frame.
 void Rules::check_ground_frame(const std::string& path, bool geographic) {
   if (!geographic || !scenario_.frame.local) return;
@@ -103,21 +132,33 @@ void Rules::check_ground_frame(const std::string& path, bool geographic) {
 }
 
 void Rules::check_above_ground(const std::string& path) {
-  if (!given(path + ".agl_m") || given("terrain")) return;
+  if (!given(path + ".agl_m") || given("terrain") || is_cut()) return;
   report(path + ".agl_m", {.message = "needs terrain; without it write amsl_m"});
 }
 
 void Rules::check_places() {
-  if (scenario_.grid) return;
+  for (const std::string path : {"start", "goal"}) {
+    if (scenario_.grid) {
+      check_cell(path);
+    } else {
+      check_place(path);
+    }
+  }
+}
+
+void Rules::check_place(const std::string& path) {
   const bool automatic =
       !scenario_.frame.origin && !scenario_.frame.local && scenario_.frame.crs == "auto" && !scenario_.navigation;
-  for (const std::string path : {"start", "goal"}) {
-    check_ground_frame(path, given(path + ".lat") && given(path + ".lon"));
-    check_above_ground(path);
-    if (automatic && given(path + ".position_m") && frame_sound_) {
-      report(path + ".position_m", {.limit = "frame: {local: true}, {origin: {lat, lon}} or {crs: \"EPSG:...\"}",
-                                    .message = "crs: auto needs lat and lon; or name the frame of these metres"});
-    }
+  if (given(path + ".cell")) report(path + ".cell", {.message = "needs a grid"});
+  check_ground_frame(path, given(path + ".lat") && given(path + ".lon"));
+  check_above_ground(path);
+  if (given(path + ".lat") && !given(path + ".amsl_m") && !given(path + ".agl_m") && sound(path)) {
+    report(path, {.limit = "lat, lon, amsl_m | lat, lon, agl_m",
+                  .message = "needs a height; only beside grid.dem lat and lon are enough"});
+  }
+  if (automatic && given(path + ".position_m") && frame_sound_) {
+    report(path + ".position_m", {.limit = "frame: {local: true}, {origin: {lat, lon}} or {crs: \"EPSG:...\"}",
+                                  .message = "crs: auto needs lat and lon; or name the frame of these metres"});
   }
 }
 

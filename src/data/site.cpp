@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "data/grid_dem.hpp"
 #include "data/raster_extent.hpp"
 #include "data/site_faults.hpp"
 #include "data/site_frame.hpp"
@@ -51,8 +52,8 @@ PeakGround peaks_of(const TerrainSpec& spec) {
 }
 
 /// A place that misses the raster altogether is often why the raster cannot be brought into the frame.
-void judge_against_extent(const Scenario& scenario, SiteFaults& faults) {
-  const auto extent = raster_extent(scenario.terrain->dem);
+void judge_against_extent(const Scenario& scenario, const std::string& dem, SiteFaults& faults) {
+  const auto extent = raster_extent(dem);
   if (!extent) return;
   const auto judge = [&](const PlaceSpec& place, const char* field) {
     if (!place.lat_deg || !place.lon_deg || extent->contains({*place.lat_deg, *place.lon_deg})) return;
@@ -65,12 +66,39 @@ void judge_against_extent(const Scenario& scenario, SiteFaults& faults) {
   judge(scenario.goal.place, "goal");
 }
 
+/// False, and faults at `field`, if the raster cannot be read.
+bool read_raster(Site& site, const std::string& dem, const std::string& field, SiteFaults& faults) {
+  std::vector<Fault> found;
+  auto raster = read_height_raster(dem, site.frame, found);
+  for (Fault& fault : found) {
+    fault.field = field;
+    faults.add(std::move(fault));
+  }
+  if (!raster) {
+    judge_against_extent(site.scenario, dem, faults);
+    return false;
+  }
+  if (raster->voids > 0)
+    site.warnings.push_back(
+        fmt::format("{}: {} of {} posts are unknown ground", raster->name, raster->voids, raster->posts.size()));
+  site.ground = std::move(*raster);
+  return true;
+}
+
+bool read_cells(Site& site, SiteFaults& faults) {
+  const GridSpec& spec = *site.scenario.grid;
+  if (spec.dem.empty()) {
+    site.grid = read_grid(site.scenario, faults);
+  } else if (read_raster(site, spec.dem, "grid.dem", faults)) {
+    site.band.clearance_m = spec.clearance_m;
+    site.grid = cut_grid(std::get<HeightRaster>(site.ground), spec, faults);
+  }
+  return site.grid.has_value();
+}
+
 /// False if the ground cannot be read.
 bool read_ground(Site& site, SiteFaults& faults) {
-  if (site.scenario.grid) {
-    site.grid = read_grid(site.scenario, faults);
-    return site.grid.has_value();
-  }
+  if (site.scenario.grid) return read_cells(site, faults);
   if (!site.scenario.terrain) return true;
   const TerrainSpec& spec = *site.scenario.terrain;
   site.band = {
@@ -79,18 +107,7 @@ bool read_ground(Site& site, SiteFaults& faults) {
     if (!spec.peaks.empty()) site.ground = peaks_of(spec);
     return true;
   }
-  std::vector<Fault> found;
-  auto raster = read_height_raster(spec.dem, site.frame, found);
-  for (Fault& fault : found) faults.add(std::move(fault));
-  if (!raster) {
-    judge_against_extent(site.scenario, faults);
-    return false;
-  }
-  if (raster->voids > 0)
-    site.warnings.push_back(
-        fmt::format("{}: {} of {} posts are unknown ground", raster->name, raster->voids, raster->posts.size()));
-  site.ground = std::move(*raster);
-  return true;
+  return read_raster(site, spec.dem, "terrain.dem", faults);
 }
 
 void place_mission(Site& site, const GivenPoints& points, SiteFaults& faults) {

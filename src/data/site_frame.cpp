@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "data/raster_extent.hpp"
+
 namespace alate {
 
 namespace {
@@ -41,7 +43,15 @@ GeoPoint midpoint(const GeoPoint& a, const GeoPoint& b) {
   return middle;
 }
 
+/// A grid is cut from the whole raster, so that its cells do not change with start and goal. Where the raster has no
+/// place on Earth any frame will do: its reader says what is wrong.
+Frame frame_of_grid(const std::string& dem) {
+  const auto extent = raster_extent(dem);
+  return Frame::utm(extent ? extent->middle : GeoPoint{});
+}
+
 Frame automatic(const Scenario& scenario, const GivenPoints& points) {
+  if (scenario.grid) return frame_of_grid(scenario.grid->dem);
   const auto start = geo_of(scenario.start.place, points.start());
   const auto goal = geo_of(scenario.goal.place, points.end());
   if (is_mixed(scenario, points, start || goal))
@@ -54,7 +64,7 @@ Frame automatic(const Scenario& scenario, const GivenPoints& points) {
 
 std::optional<Frame> choose_frame(const Scenario& scenario, const GivenPoints& points, SiteFaults& faults) {
   const FrameSpec& spec = scenario.frame;
-  if (spec.local || scenario.grid) return Frame::local();
+  if (spec.local || (scenario.grid && scenario.grid->dem.empty())) return Frame::local();
   const std::string field = spec.origin ? "frame.origin" : "frame.crs";
   try {
     if (spec.origin) return Frame::at_origin(*spec.origin);

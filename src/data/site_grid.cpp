@@ -2,10 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "data/grid_law.hpp"
 #include "data/grid_map.hpp"
 
 namespace alate {
+
+namespace {
+
+/// Why the cell is blocked, as far as the site knows.
+std::string blocked_because(const Site& site, double height_m) {
+  if (!site.has_ground()) return "is a blocked cell";
+  if (std::isnan(height_m)) return "is a blocked cell: its ground is unknown (voids, or the edge of the raster)";
+  return fmt::format("is a blocked cell: its ground and clearance_m reach {:.1f} m, the flight level is {:.1f} m",
+                     height_m + site.band.clearance_m, site.grid->level_m);
+}
+
+}  // namespace
 
 std::optional<HeightGrid> read_grid(const Scenario& scenario, SiteFaults& faults) {
   const GridSpec& spec = *scenario.grid;
@@ -31,15 +45,16 @@ std::optional<HeightGrid> read_grid(const Scenario& scenario, SiteFaults& faults
   return grid;
 }
 
-std::optional<Vec3> locate_cell(const HeightGrid& grid, const std::array<int, 2>& cell, const std::string& field,
+std::optional<Vec3> locate_cell(const Site& site, const std::array<int, 2>& cell, const std::string& field,
                                 SiteFaults& faults) {
+  const HeightGrid& grid = *site.grid;
   const auto& [column, row] = cell;
   const bool inside = grid.contains(column, row);
   if (inside && !grid.blocked_at(column, row)) return grid.center(column, row);
   faults.add({.field = field,
               .value = fmt::format("[{}, {}]", column, row),
               .limit = inside ? "" : fmt::format("[0, 0] to [{}, {}]", grid.columns - 1, grid.rows - 1),
-              .message = inside ? "is a blocked cell" : "lies outside the grid"});
+              .message = inside ? blocked_because(site, grid.height_at(column, row)) : "lies outside the grid"});
   return std::nullopt;
 }
 

@@ -5,16 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "alate/data/height_grid.hpp"
+#include "alate/data/site.hpp"
 #include "data/site_faults.hpp"
 
 namespace alate {
 
-/// Reads or draws `scenario.grid`; nothing, and faults, where the map cannot be read.
+/// Reads or draws `scenario.grid`, which is not cut from a raster; nothing, and faults, where the map cannot be read.
 std::optional<HeightGrid> read_grid(const Scenario& scenario, SiteFaults& faults);
 
-/// Centre of `cell`; nothing, and a fault at `field`, where it is blocked or outside.
-std::optional<Vec3> locate_cell(const HeightGrid& grid, const std::array<int, 2>& cell, const std::string& field,
+/// Centre of `cell` of the site's grid; nothing, and a fault at `field`, where it is blocked or outside.
+std::optional<Vec3> locate_cell(const Site& site, const std::array<int, 2>& cell, const std::string& field,
                                 SiteFaults& faults);
 
 }  // namespace alate

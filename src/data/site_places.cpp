@@ -19,7 +19,8 @@ std::string number(double value) { return fmt::format("{:.2f}", value); }
 /// The ground's limits in the user's own coordinates where it has them.
 std::string extent_of(const Site& site) {
   if (std::holds_alternative<HeightRaster>(site.ground)) {
-    if (const auto box = raster_extent(site.scenario.terrain->dem)) return box->text();
+    const Scenario& scenario = site.scenario;
+    if (const auto box = raster_extent(scenario.grid ? scenario.grid->dem : scenario.terrain->dem)) return box->text();
     const Box2& area = std::get<HeightRaster>(site.ground).area;
     return fmt::format("x {:.1f} to {:.1f}, y {:.1f} to {:.1f}", area.min.x(), area.max.x(), area.min.y(),
                        area.max.y());
@@ -64,6 +65,16 @@ std::optional<Vec2> locate_plane(const Site& site, const PlaceSpec& place, const
               .value = fmt::format("lat {}, lon {}", *place.lat_deg, *place.lon_deg),
               .message = site.frame.is_local() ? "a local frame has no latitude and longitude"
                                                : "has no image in the frame " + site.frame.name()});
+  return std::nullopt;
+}
+
+/// The cell around a place that is given without a height.
+std::optional<Vec3> locate_around(const Site& site, const Vec2& xy, const std::string& field, SiteFaults& faults) {
+  if (const auto cell = site.grid->cell_at(xy)) return locate_cell(site, *cell, field, faults);
+  faults.add({.field = field,
+              .value = text_of(site, {xy.x(), xy.y(), 0}),
+              .limit = extent_of(site),
+              .message = "lies outside the grid"});
   return std::nullopt;
 }
 
@@ -118,11 +129,12 @@ void judge_height(const Site& site, const Vec3& position, const std::string& fie
 }  // namespace
 
 std::optional<Vec3> locate(const Site& site, const PlaceSpec& place, const std::string& field, SiteFaults& faults) {
-  if (place.cell) return locate_cell(*site.grid, *place.cell, field + ".cell", faults);
+  if (place.cell && site.grid) return locate_cell(site, *place.cell, field + ".cell", faults);
   const auto xy = locate_plane(site, place, field, faults);
   if (!xy) return std::nullopt;
   if (place.position_m) return Vec3{xy->x(), xy->y(), (*place.position_m)[2]};
   if (place.amsl_m) return Vec3{xy->x(), xy->y(), *place.amsl_m};
+  if (!place.agl_m && site.grid && site.has_ground()) return locate_around(site, *xy, field, faults);
   if (!place.agl_m || !site.has_ground()) {
     faults.add({.field = field, .message = place.agl_m ? "a height above ground needs a terrain" : "has no height"});
     return std::nullopt;

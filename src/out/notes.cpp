@@ -91,7 +91,7 @@ GroundNote ground_note(const Site& site) {
 
 std::string notice(const Site& site) {
   const GroundNote ground = ground_note(site);
-  if (site.grid) {
+  if (site.grid && !site.has_ground()) {
     return fmt::format(
         "Planning help, not clearance to fly. The ground is a {}, {:.3g} m wide, free or blocked; the route lies in "
         "their plane, and heights are marks of the cells.",
@@ -103,6 +103,9 @@ std::string notice(const Site& site) {
   if (ground.kind == "none") return text + "No terrain was given, so nothing is known about the ground.";
   text += "Terrain: " + ground.terrain;
   if (ground.cell_m) text += fmt::format(", one height every {:.3g} m", *ground.cell_m);
+  if (site.grid)
+    text += fmt::format(", cut into {} x {} cells, {:.3g} m wide, for flight at {:.0f} m", site.grid->columns,
+                        site.grid->rows, site.grid->cell_m, site.grid->level_m);
   return text + ". Trees, masts and wires are not in it.";
 }
 

@@ -22,7 +22,7 @@ std::vector<CorrectionPoint> points_of(const CorrectionGraph& graph, const Point
 /// with as many.
 RoutePrice price_of(const Problem& problem, const CorrectionGraph& graph) {
   if (problem.prefer != Preference::corrections) return {};
-  return {.per_m = 1, .per_correction = graph.length(graph.start(), graph.goal())};
+  return {.per_m = 1, .per_correction = graph.to_goal(graph.start())};
 }
 
 std::string nothing_found(Stop stop) {

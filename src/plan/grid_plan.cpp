@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "plan/iteration_history.hpp"
 #include "space/objective.hpp"
 
 namespace alate {
@@ -21,10 +22,9 @@ struct CellPlace {
 /// The free cell whose middle `place` is.
 std::optional<CellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
   constexpr double kHair = 1e-9;
-  const Vec2 cells = place.head<2>() / grid.cell_m;
-  const Vec2 extent(grid.columns, grid.rows);
-  if (!((cells.array() >= 0).all() && (cells.array() < extent.array()).all())) return std::nullopt;
-  const CellPlace cell{.column = static_cast<int>(cells.x()), .row = grid.rows - 1 - static_cast<int>(cells.y())};
+  const auto found = grid.cell_at(place.head<2>());
+  if (!found) return std::nullopt;
+  const CellPlace cell{.column = (*found)[0], .row = (*found)[1]};
   if (grid.blocked_at(cell.column, cell.row)) return std::nullopt;
   if ((grid.center(cell.column, cell.row) - place).norm() > kHair * grid.cell_m) return std::nullopt;
   return cell;
@@ -32,6 +32,7 @@ std::optional<CellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
 
 Route route_of(const Problem& problem, const GridSpace& space, const std::vector<std::uint32_t>& directions) {
   Route route;
+  route.states.reserve(directions.size() + 1);
   route.states.push_back({.position = problem.mission.start, .leg = LegKind::start});
   GridSpace::Cell cell = space.start();
   for (const std::uint32_t d : directions) {
@@ -55,13 +56,6 @@ std::string no_way(const GridSpace& space, const std::vector<std::uint8_t>& reac
 std::string nothing_found(Stop stop) {
   if (stop == Stop::deadline || stop == Stop::cancelled) return "stopped before any route was found";
   return "every ant walked into a dead end, though there is a way; a longer search may find it";
-}
-
-std::uint64_t last_change(const std::vector<IterationStats>& history) {
-  std::uint64_t last = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (history[i].best_so_far && (i == 0 || history[i].best_so_far != history[i - 1].best_so_far)) last = i + 1;
-  return last;
 }
 
 /// From cell sides to metres.

@@ -6,6 +6,7 @@
 #include "plan/attitude_planners.hpp"
 #include "plan/correction_planners.hpp"
 #include "plan/grid_planners.hpp"
+#include "plan/terrain_planners.hpp"
 
 namespace alate {
 
@@ -41,6 +42,7 @@ const Registry& builtin_planners() {
     registry.add(correction_ga_entry());
     registry.add(correction_aco_entry());
     registry.add(grid_aco_entry());
+    registry.add(terrain_aco_entry());
     return registry;
   }();
   return kRegistry;

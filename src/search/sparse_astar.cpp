@@ -92,7 +92,7 @@ class Search {
   }
 
  private:
-  double left_m(Node node) const { return graph_.length(node, graph_.goal()); }
+  double left_m(Node node) const { return graph_.to_goal(node); }
 
   void push(Way way) {
     if (!lists_.takes(way)) return;

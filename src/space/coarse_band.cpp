@@ -58,8 +58,8 @@ void CoarseBand::close_upwards(const Site& site) {
 
 Vec2 CoarseBand::center(std::size_t cell) const {
   const auto columns = static_cast<std::size_t>(columns_);
-  return area_.min +
-         cell_m_ * Vec2(static_cast<double>(cell % columns) + 0.5, static_cast<double>(cell / columns) + 0.5);
+  const std::size_t row = cell / columns;
+  return area_.min + cell_m_ * Vec2(static_cast<double>(cell % columns) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 void CoarseBand::sample_ground(const World& world, std::size_t cell) {

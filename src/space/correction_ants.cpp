@@ -12,7 +12,7 @@ void CorrectionAnts::look(const State& state, Choices& out) const {
     out.x[k] = at.x();
     out.y[k] = at.y();
     out.z[k] = at.z();
-    out.to_goal[k] = static_cast<float>(graph_.length(arc.to, graph_.goal()));
+    out.to_goal[k] = static_cast<float>(graph_.to_goal(arc.to));
     out.guide[k] = static_cast<float>(price_.of(to_go_(arc.to), 0));
     const bool may_fly = graph_.leg(state.node, arc.to).keeps_limits(state.error, arc.length_m);
     out.cost[k] = may_fly ? static_cast<float>(cost(arc)) : kNever;

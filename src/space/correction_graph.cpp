@@ -38,7 +38,7 @@ CorrectionGraph::CorrectionGraph(const Navigation& navigation, const Vec3& start
 }
 
 CorrectionGraph CorrectionGraph::within(double length_m) const {
-  return part([&](Node i) { return length(start(), i) + length(i, goal()) <= length_m; });
+  return part([&](Node i) { return from_start(i) + to_goal(i) <= length_m; });
 }
 
 CorrectionGraph CorrectionGraph::reliable() const {
@@ -48,6 +48,7 @@ CorrectionGraph CorrectionGraph::reliable() const {
 void CorrectionGraph::fill(std::span<const CorrectionPoint> points, const Vec3& start, const Vec3& goal) {
   for (std::vector<double>* one : {&x_, &y_, &z_, &success_}) one->reserve(points.size() + 2);
   id_.reserve(points.size() + 2);
+  whole_.reserve(points.size() + 2);
   for (const PointKind from : {PointKind::vertical, PointKind::horizontal})
     for (const PointKind to : {PointKind::vertical, PointKind::horizontal, PointKind::end})
       legs_[from == PointKind::horizontal ? 1 : 0][to == PointKind::vertical     ? 0
@@ -56,16 +57,23 @@ void CorrectionGraph::fill(std::span<const CorrectionPoint> points, const Vec3& 
   add_kind(points, PointKind::vertical);
   vertical_count_ = static_cast<Node>(x_.size());
   add_kind(points, PointKind::horizontal);
-  add({.id = limits_.start_id, .position = start});
-  add({.id = limits_.goal_id, .position = goal});
+  add({.id = limits_.start_id, .position = start}, points.size());
+  add({.id = limits_.goal_id, .position = goal}, points.size() + 1);
+  from_start_.resize(size());
+  to_goal_.resize(size());
+  for (Node i = 0; i < size(); ++i) {
+    from_start_[i] = length(this->start(), i);
+    to_goal_[i] = length(i, this->goal());
+  }
 }
 
-void CorrectionGraph::add(const CorrectionPoint& point) {
+void CorrectionGraph::add(const CorrectionPoint& point, std::size_t index) {
   x_.push_back(point.position.x());
   y_.push_back(point.position.y());
   z_.push_back(point.position.z());
   id_.push_back(point.id);
   success_.push_back(point.success);
+  whole_.push_back(static_cast<Node>(index));
   unreliable_ = unreliable_ || point.success < 1;
 }
 
@@ -85,6 +93,7 @@ void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKin
   const Vec2 extent = max - grid.min;
   const auto n = static_cast<double>(count);
   grid.cell_m = std::max({2 * std::sqrt(extent.x() * extent.y() / n), extent.maxCoeff() / n, 1e-3});
+  grid.cells_per_m = 1 / grid.cell_m;
   grid.columns = grid.whole(extent.x()) + 1;
   grid.rows = grid.whole(extent.y()) + 1;
 
@@ -104,7 +113,7 @@ void CorrectionGraph::add_kind(std::span<const CorrectionPoint> points, PointKin
     if (points[k].kind == kind) sorted[place[cell_of(points[k])]++] = static_cast<Node>(k);
   const Node offset = static_cast<Node>(x_.size());
   for (Node& first : grid.first) first += offset;
-  for (const Node k : sorted) add(points[k]);
+  for (const Node k : sorted) add(points[k], k);
 }
 
 bool CorrectionGraph::leg_is_free(Node i, Node j) const {

@@ -32,6 +32,9 @@ class CorrectionGraph {
   /// Only the points inside the ellipsoid |start p| + |p goal| <= `length_m`. No route up to this length uses others.
   CorrectionGraph within(double length_m) const;
 
+  /// Of a part: the index of each node in the graph that it was cut from.
+  std::span<const Node> whole() const { return whole_; }
+
   /// Only the points whose corrections never fail.
   CorrectionGraph reliable() const;
 
@@ -53,6 +56,8 @@ class CorrectionGraph {
   bool unreliable() const { return unreliable_; }
 
   double length(Node i, Node j) const { return std::sqrt(squared_length(i, j)); }
+  double from_start(Node i) const { return from_start_[i]; }  ///< length(start(), i).
+  double to_goal(Node i) const { return to_goal_[i]; }        ///< length(i, goal()).
 
   /// Calls visit(j, length, error after j) for each point `j` that can be flown to from `i` with `error` there. Whether
   /// the leg is_free is left to the caller, as it may have cheaper reasons to pass it over.
@@ -81,7 +86,7 @@ class CorrectionGraph {
         if (i != j) try_leg(rule, i, d);
       });
     }
-    try_leg(leg(PointKind::vertical, kind(j)), start(), length(start(), j));
+    try_leg(leg(PointKind::vertical, kind(j)), start(), from_start(j));
   }
 
   /// Is the straight leg flown free of ground, ceilings and cores, and within the climb limits? Always, at no cost,
@@ -148,13 +153,15 @@ class CorrectionGraph {
   struct Grid {
     Vec2 min = Vec2::Zero();
     double cell_m = 1;
+    double cells_per_m = 1;
     int columns = 0;
     int rows = 0;
     std::vector<Node> first;
 
     int column(double x) const { return std::clamp(whole(x), 0, columns - 1); }
     int row(double y) const { return std::clamp(whole(y), 0, rows - 1); }
-    int whole(double v) const { return static_cast<int>(std::clamp(std::floor(v / cell_m), -1.0, 1e9)); }
+    /// Towards 0, which is the first column or row on either side.
+    int whole(double v) const { return static_cast<int>(std::clamp(v * cells_per_m, -1.0, 1e9)); }
   };
 
   CorrectionGraph(Navigation limits, const World* world) : limits_(std::move(limits)), world_(world) {}
@@ -162,17 +169,23 @@ class CorrectionGraph {
   template <class Keep>
   CorrectionGraph part(Keep&& keep) const {
     std::vector<CorrectionPoint> kept;
-    for (Node i = 0; i < point_count(); ++i)
-      if (keep(i)) kept.push_back(point(i));
+    std::vector<Node> index;
+    for (Node i = 0; i < point_count(); ++i) {
+      if (!keep(i)) continue;
+      kept.push_back(point(i));
+      index.push_back(i);
+    }
+    index.insert(index.end(), {start(), goal()});
     CorrectionGraph part(limits_, world_);
     part.fill(kept, position(start()), position(goal()));
+    for (Node& i : part.whole_) i = index[i];
     return part;
   }
   PointKind kind_of_point(Node i) const {
     return i < vertical_count_ || i == start() ? PointKind::vertical : PointKind::horizontal;
   }
   void fill(std::span<const CorrectionPoint> points, const Vec3& start, const Vec3& goal);
-  void add(const CorrectionPoint& point);
+  void add(const CorrectionPoint& point, std::size_t index);
   void add_kind(std::span<const CorrectionPoint> points, PointKind kind);
   bool leg_is_free(Node i, Node j) const;
 
@@ -184,7 +197,9 @@ class CorrectionGraph {
   bool unreliable_ = false;
   std::vector<double> x_, y_, z_;
   std::vector<double> success_;
+  std::vector<double> from_start_, to_goal_;
   std::vector<int> id_;
+  std::vector<Node> whole_;  ///< Before a part is done: places in the list of its points, start and goal last.
 };
 
 }  // namespace alate

@@ -184,7 +184,8 @@ double CostToGo::operator()(const Vec3& position) const {
     for (int di = 0; di < 2; ++di) {
       const int i = std::clamp(static_cast<int>(corner.x()) + di, 0, band_.columns() - 1);
       const int j = std::clamp(static_cast<int>(corner.y()) + dj, 0, band_.rows() - 1);
-      const double value = value_at(static_cast<std::size_t>(j * band_.columns() + i), position.z());
+      const int cell = j * band_.columns() + i;
+      const double value = value_at(static_cast<std::size_t>(cell), position.z());
       const double weight = (di == 0 ? 1 - part.x() : part.x()) * (dj == 0 ? 1 - part.y() : part.y());
       if (!(value < kInfinity) || weight <= 0) continue;
       sum += weight * value;

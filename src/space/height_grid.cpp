@@ -97,8 +97,10 @@ double GridSpace::deviation(std::span<const std::uint32_t> directions) const {
   std::vector<double> heights;
   if (score_.heights_of == GridScore::HeightsOf::matrix) {
     const int count = grid_.columns * grid_.rows;
-    for (int i = 0; i < count && heights.size() <= directions.size(); ++i)
-      heights.push_back(grid_.height_at(i / grid_.rows, i % grid_.rows));
+    for (int i = 0; i < count && heights.size() <= directions.size(); ++i) {
+      const double height = grid_.height_at(i / grid_.rows, i % grid_.rows);
+      if (!std::isnan(height)) heights.push_back(height);
+    }
     return standard_deviation(heights);
   }
   Cell cell = start_;

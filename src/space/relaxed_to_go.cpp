@@ -25,7 +25,7 @@ RelaxedToGo::RelaxedToGo(const CorrectionGraph& graph, Extent extent, RunContext
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
   best[graph.goal()] = 0;
   const auto open_node = [&](Node i, double to_go) {
-    const double ahead = extent == Extent::until_start ? graph.length(graph.start(), i) : 0;
+    const double ahead = extent == Extent::until_start ? graph.from_start(i) : 0;
     open.push({to_go + ahead, to_go, i});
   };
   open_node(graph.goal(), 0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <utility>
 
 namespace alate {
 
@@ -30,11 +31,13 @@ void run_task(const Task& task, const std::stop_token& stop) {
   RunContext context(alone, {.iterations = task.method->iterations, .seed = task.run->seed, .stop = stop});
   Problem problem(task.problem->world);
   problem.front = task.method->front;
-  task.run->plan = task.planner->planner.plan(problem, context);
+  Plan plan = task.planner->planner.plan(problem, context);
   task.run->wall_s = context.elapsed_s();
-  const Route& route = task.run->plan.route;
-  task.run->metrics = measure(task.problem->site(), route);
-  task.run->passed = !route.empty() && check(task.problem->site(), route).ok();
+  task.run->metrics = measure(task.problem->site(), plan.route);
+  task.run->passed = !plan.route.empty() && check(task.problem->site(), plan.route).ok();
+  if (!task.method->keep_routes) plan.route = {};
+  // A copy: what was allotted while the planner held its tables lies between them, and would keep their room from use.
+  task.run->plan = std::as_const(plan);
 }
 
 /// Counts finished runs and tells the sink.
@@ -103,9 +106,9 @@ std::size_t method_index(const Experiment& experiment, std::string_view name) {
   return static_cast<std::size_t>(found - experiment.methods.begin());
 }
 
-Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds) {
+Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds,
+                           const Registry& registry) {
   Experiment experiment{.cases = std::move(cases), .methods = std::move(methods)};
-  const Registry& registry = builtin_planners();
   for (std::size_t c = 0; c < experiment.cases.size(); ++c) {
     const Problem problem(experiment.cases[c].world);
     for (std::size_t m = 0; m < experiment.methods.size(); ++m) {

@@ -28,6 +28,7 @@ struct StudyMethod {
   PlannerRequest request;
   std::optional<std::uint64_t> iterations;  ///< None: the planner's default.
   bool front = false;                       ///< Ask for the whole Pareto front.
+  bool keep_routes = true;                  ///< False where there are many runs: measured, checked, and dropped.
 };
 
 struct StudyRun {
@@ -68,9 +69,10 @@ struct Experiment {
 /// Index of the method called `name`.
 std::size_t method_index(const Experiment& experiment, std::string_view name);
 
-/// Every method on every case, with nothing run yet. Planners that no seed changes get one run, the others `seeds`.
-/// Throws InputError if a planner cannot serve a case.
-Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds);
+/// Every method, a planner of `registry`, on every case, with nothing run yet. Planners that no seed changes get one
+/// run, the others `seeds`. Throws InputError if a planner cannot serve a case.
+Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod> methods, std::uint64_t seeds,
+                           const Registry& registry = builtin_planners());
 
 /// Runs all trials of all experiments, one run a thread; false if stopped. Each run gets one thread.
 bool run_experiments(const std::vector<Experiment*>& experiments, Executor& executor, const ReproduceOptions& options);

@@ -6,6 +6,7 @@
 #include "alate/core/fault.hpp"
 #include "out/output_folder.hpp"
 #include "study/konatowski2019/reproduction.hpp"
+#include "study/yin2021/reproduction.hpp"
 #include "study/zhou2020/reproduction.hpp"
 
 namespace alate {
@@ -19,8 +20,9 @@ struct Paper {
   Reproduce reproduce;
 };
 
-constexpr std::array<Paper, 2> kPapers{
-    {{"konatowski2019", konatowski2019::reproduce}, {"zhou2020", zhou2020::reproduce}}};
+constexpr std::array<Paper, 3> kPapers{{{"konatowski2019", konatowski2019::reproduce},
+                                        {"yin2021", yin2021::reproduce},
+                                        {"zhou2020", zhou2020::reproduce}}};
 
 auto find(std::string_view paper) {
   return std::ranges::find(kPapers, paper, [](const Paper& each) { return std::string_view(each.name); });

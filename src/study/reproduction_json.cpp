@@ -36,6 +36,12 @@ Json cell_json(const Cell& cell) {
           {"wall_s", number(cell.wall_s)}};
 }
 
+Json cells_json(const std::vector<Cell>& cells) {
+  Json all = Json::array();
+  for (const Cell& cell : cells) all.push_back(cell_json(cell));
+  return all;
+}
+
 Json setting_json(const ParamValue& setting) {
   return std::visit([](const auto& value) { return Json(value); }, setting);
 }
@@ -45,16 +51,16 @@ Json setting_json(const ParamValue& setting) {
 std::string to_json(const Reproduction& reproduction) {
   Json claims = Json::array();
   for (const Claim& claim : reproduction.claims) claims.push_back(claim_json(claim));
-  Json cells = Json::array();
-  for (const Cell& cell : reproduction.cells) cells.push_back(cell_json(cell));
   Json defects = Json::array();
   for (const Defect& defect : reproduction.defects)
     defects.push_back({{"title", defect.title}, {"text", defect.text}, {"measured", defect.measured}});
   Json settings = Json::object();
   for (const auto& [name, value] : reproduction.settings) settings[name] = setting_json(value);
   const Json json{{"paper", reproduction.paper},
+                  {"notes", reproduction.notes},
                   {"claims", claims},
-                  {"cells", cells},
+                  {"cells", cells_json(reproduction.cells)},
+                  {"details", cells_json(reproduction.details)},
                   {"defects", defects},
                   {"settings", settings}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

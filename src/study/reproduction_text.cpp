@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "alate/study/reproduce.hpp"
 
 namespace alate {
@@ -47,20 +49,28 @@ std::string claim_text(const Claim& claim) {
   return text + paragraph(claim.why);
 }
 
-std::string cell_text(const Cell& cell) {
-  return fmt::format("{:<10} {:<22} {:>3}/{:<3} {:>9} {:>7} {:>9} {:>9.2f} {:>9.4f}\n", cell.case_name, cell.method,
-                     cell.found, cell.runs, number(cell.mean, 2), number(cell.sd, 2), number(cell.best, 2),
-                     cell.lower_bound, cell.wall_s);
+/// Rows of one width: names of methods differ much in length.
+std::string cells_text(const std::vector<Cell>& cells) {
+  std::size_t width = 0;
+  for (const Cell& cell : cells) width = std::max(width, cell.method.size());
+  std::string text = fmt::format("{:<10} {:<{}} {:>9} {:>9} {:>7} {:>9} {:>9} {:>9}\n", "case", "method", width,
+                                 "found", "mean", "sd", "best", "bound", "wall_s");
+  for (const Cell& cell : cells)
+    text += fmt::format("{:<10} {:<{}} {:>9} {:>9} {:>7} {:>9} {:>9.2f} {:>9.4f}\n", cell.case_name, cell.method, width,
+                        fmt::format("{}/{}", cell.found, cell.runs), number(cell.mean, 2), number(cell.sd, 2),
+                        number(cell.best, 2), cell.lower_bound, cell.wall_s);
+  return text;
 }
 
 }  // namespace
 
 std::string to_text(const Reproduction& reproduction) {
-  std::string text = fmt::format("{}: {}\n\nClaims\n\n", reproduction.paper, reproduction.title);
+  std::string text = fmt::format("{}: {}\n", reproduction.paper, reproduction.title);
+  if (!reproduction.notes.empty()) text += "\nWhat must be known first\n\n";
+  for (const std::string& note : reproduction.notes) text += paragraph(note);
+  text += "\nClaims\n\n";
   for (const Claim& claim : reproduction.claims) text += claim_text(claim);
-  text += fmt::format("\nRuns\n\n{:<10} {:<22} {:>7} {:>9} {:>7} {:>9} {:>9} {:>9}\n", "case", "method", "found",
-                      "mean", "sd", "best", "bound", "wall_s");
-  for (const Cell& cell : reproduction.cells) text += cell_text(cell);
+  text += "\nRuns\n\n" + cells_text(reproduction.cells);
   text += "\nWhat is wrong with the published definition\n\n";
   for (const Defect& defect : reproduction.defects)
     text += defect.title + "\n" + paragraph(defect.text + (defect.measured.empty() ? "" : " " + defect.measured));

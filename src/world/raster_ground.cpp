@@ -26,8 +26,8 @@ struct Quadratic {
   /// A vertex within the cell lies at most this far beyond the nearer end.
   double bulge() const { return 0.25 * std::abs(c2) * end * end; }
   /// Is there a lowest point between the ends? Its height is that of the vertex.
-  bool dips() const { return (c2 > 0) & (c1 < 0) & (c1 + 2 * c2 * end > 0); }
-  bool arches() const { return (c2 < 0) & (c1 > 0) & (c1 + 2 * c2 * end < 0); }
+  bool dips() const { return c2 > 0 && c1 < 0 && c1 + 2 * c2 * end > 0; }
+  bool arches() const { return c2 < 0 && c1 > 0 && c1 + 2 * c2 * end < 0; }
   double vertex() const { return at(-c1 / (2 * c2)); }
   double lowest() const { return dips() ? std::min({c0, last(), vertex()}) : std::min(c0, last()); }
   double highest() const { return arches() ? std::max({c0, last(), vertex()}) : std::max(c0, last()); }
@@ -40,7 +40,7 @@ struct Lowest {
 
   bool may_skip(double low, double /*high*/) const { return low > best + kRounding_m; }
   bool accept(const Quadratic& above) {
-    best = std::min(best, std::min(above.c0, above.last()));
+    best = std::min({best, above.c0, above.last()});
     if (above.dips()) best = std::min(best, above.vertex());
     if (above.unknown()) best = -kInfinity;
     return best > -kInfinity;
@@ -66,7 +66,7 @@ struct Within {
 Quadratic above_cell(const HeightRaster& raster, const CellWalk& walk, double t_out) {
   const float* upper = raster.posts.data() + static_cast<std::ptrdiff_t>(walk.row) * raster.columns + walk.column;
   const float* lower = upper + raster.columns;
-  const double h = double{upper[0]};
+  const auto h = double{upper[0]};
   const double b = double{upper[1]} - h;
   const double c = double{lower[0]} - h;
   const double d = double{lower[1]} - double{lower[0]} - b;

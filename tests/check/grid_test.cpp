@@ -24,8 +24,9 @@ Site grid_site(const std::vector<std::string>& rows, double cell_m = 1) {
 Route through(Site& site, const std::vector<std::array<double, 2>>& cells) {
   std::vector<Vec3> positions;
   for (const auto& [column, row] : cells)
-    positions.emplace_back((column + 0.5) * site.grid->cell_m, (site.grid->rows - 1 - row + 0.5) * site.grid->cell_m,
-                           0);
+    positions.emplace_back(site.grid->origin.x() + (column + 0.5) * site.grid->cell_m,
+                           site.grid->origin.y() + (site.grid->rows - 1 - row + 0.5) * site.grid->cell_m,
+                           site.grid->level_m);
   site.mission.start = positions.front();
   site.mission.goal = positions.back();
   site.mission.tolerance_m = 1e-6;
@@ -73,6 +74,20 @@ TEST_P(GridRoute, BreaksItsRuleAndNoOther) {
     EXPECT_EQ(broken_legs(verdict), GetParam().legs) << cell_m;
     ASSERT_NE(find_margin(verdict, "terrain_clearance"), nullptr);
     ASSERT_NE(find_margin(verdict, "bounds"), nullptr);
+  }
+}
+
+TEST_P(GridRoute, WhereverTheGridLies) {
+  Site site = grid_site(kRows, 90);
+  site.grid->origin = Vec2(731'340, 4'004'820);
+  site.grid->level_m = 650;
+  const Verdict verdict = check(site, through(site, GetParam().cells));
+  EXPECT_EQ(broken_rules(verdict), GetParam().broken);
+  EXPECT_EQ(broken_legs(verdict), GetParam().legs);
+  for (const Violation& violation : verdict.violations) {
+    if (violation.rule == "terrain_clearance") {
+      EXPECT_TRUE(site.grid->area().contains(violation.where.head<2>()));
+    }
   }
 }
 

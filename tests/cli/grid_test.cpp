@@ -1,4 +1,6 @@
 // Scenarios on a grid: what is refused, and the check of a route made by hand.
+#include <set>
+
 #include "program.hpp"
 
 namespace alate::test {
@@ -55,8 +57,8 @@ TEST_F(GridScenario, RouteOutOfTheGrid) {
   write(kMap);
   const Finished done = check("0.5,0.5,0\n-0.5,0.5,0\n0.5,2.5,0\n3.5,2.5,0\n");
   EXPECT_EQ(done.code, 1);
-  for (const Json& violation : Json::parse(done.out).at("verdict").at("violations"))
-    EXPECT_EQ(violation.at("rule"), "bounds");
+  const Json json = Json::parse(done.out);
+  for (const Json& violation : json.at("verdict").at("violations")) EXPECT_EQ(violation.at("rule"), "bounds");
 }
 
 TEST_F(GridScenario, MapWithFaultsTellsThemAll) {
@@ -78,6 +80,45 @@ TEST_F(GridScenario, EndsInAWallOrOutside) {
   expect_refused({"s.yaml:2:15", "start.cell", "[1, 1]", "blocked"});
   write(kMap, "[0, 3]");
   expect_refused({"s.yaml:2:15", "start.cell", "outside the grid", "[0, 0] to [3, 2]"});
+}
+
+TEST_F(GridScenario, CutFromTerrain) {
+  const std::string out = (folder_ / "out").string();
+  const Finished done = alate({"plan", kExamples + "jacksboro.yaml", "--out", out, "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json result = Json::parse(done.out);
+  EXPECT_EQ(result.at("verdict").at("status"), "pass");
+  EXPECT_GE(result.at("metrics").at("min_clearance_m").get<double>(), 60);
+  const Json& margin = result.at("verdict").at("margins").at(0);
+  EXPECT_EQ(margin.at("rule"), "terrain_clearance");
+  EXPECT_EQ(margin.at("unit"), "m");
+  EXPECT_NEAR(margin.at("margin").get<double>() + 60, result.at("metrics").at("min_clearance_m").get<double>(), 1e-9);
+  EXPECT_EQ(result.at("ground").at("terrain"), "jacksboro.tif");
+  const Json& first = result.at("route").at(0);
+  EXPECT_EQ(first.at("z_m"), 650);
+  EXPECT_NEAR(first.at("lat").get<double>(), 36.378, 0.0006);  // half a cell
+  EXPECT_NEAR(first.at("lon").get<double>(), -84.1263, 0.0006);
+  // The missions are on Earth, at the flight level.
+  for (const char* file : {"/route.plan", "/route.waypoints", "/route.kml", "/route.csv", "/result.json"})
+    EXPECT_EQ(alate({"check", out + file, "--scenario", kExamples + "jacksboro.yaml"}).code, 0) << file;
+}
+
+TEST_F(GridScenario, CutFromTerrainIsJudgedByTheGroundAsWell) {
+  const auto broken = [&](const std::string& route) {
+    write_file(folder_ / "r.csv", route);
+    const Finished done =
+        alate({"check", (folder_ / "r.csv").string(), "--scenario", kExamples + "jacksboro.yaml", "--json"});
+    EXPECT_EQ(done.code, 1) << done.err;
+    std::set<std::string> units;
+    const Json json = Json::parse(done.out);
+    for (const Json& violation : json.at("verdict").at("violations"))
+      if (violation.at("rule") == "terrain_clearance") units.insert(violation.at("unit"));
+    return units;
+  };
+  const std::string ends = "lat,lon,amsl_m\n36.378,-84.1263,";
+  // High above cells that are blocked at the flight level; low over one that is free.
+  EXPECT_EQ(broken(ends + "2000\n36.2733,-84.3825,2000\n"), std::set<std::string>{"places"});
+  EXPECT_EQ(broken(ends + "300\n36.379,-84.1263,300\n"), std::set<std::string>{"m"});
 }
 
 TEST_F(GridScenario, ExamplesAreSound) {

@@ -67,6 +67,15 @@ TEST(Reproduce, JudgesPublishedRoutes) {
   EXPECT_EQ(verdict("niu-1"), "cannot_be_told");
 }
 
+TEST(Reproduce, TestsClaimsOnDrawnMaps) {
+  const Finished done = alate({"reproduce", "yin2021", "--seeds", "1", "--iterations", "1", "--json"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const Json json = Json::parse(done.out);
+  EXPECT_EQ(json.at("claims").size(), 13U);
+  for (const Json& claim : json.at("claims")) EXPECT_FALSE(claim.at("why").get<std::string>().empty());
+  EXPECT_TRUE(json.at("settings").contains("maps_30x30"));
+}
+
 TEST(Reproduce, NeedsAPaper) {
   const Finished done = alate({"reproduce", "--json"});
   EXPECT_EQ(done.code, 2);

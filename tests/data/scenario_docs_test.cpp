@@ -40,7 +40,7 @@ TEST(ScenarioSchema, HoldsEveryKeyWithTypeLimitsAndMeaning) {
   const std::map<std::string, std::vector<std::string>> keys{
       {"frame", {"crs", "origin", "local"}},
       {"terrain", {"dem", "peaks", "combine", "extent_m", "clearance_m", "ceiling_agl_m", "ceiling_amsl_m"}},
-      {"grid", {"map", "random", "heights", "cell_m"}},
+      {"grid", {"map", "random", "dem", "level_amsl_m", "clearance_m", "heights", "cell_m"}},
       {"start", {"position_m", "cell", "lat", "lon", "amsl_m", "agl_m", "heading_deg"}},
       {"goal", {"position_m", "cell", "lat", "lon", "amsl_m", "agl_m", "tolerance_m"}},
       {"vehicle",

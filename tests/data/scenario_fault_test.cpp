@@ -107,7 +107,7 @@ TEST(ScenarioFault, Numbers) {
 }
 
 TEST(ScenarioFault, KeysThatDoNotGoTogether) {
-  const std::string place = "position_m | cell | lat, lon, amsl_m | lat, lon, agl_m";
+  const std::string place = "position_m | cell | lat, lon | lat, lon, amsl_m | lat, lon, agl_m";
   const std::string one = "needs exactly one of these sets of keys";
   expect_faults({
       {test::with(kSmallScenario, "local: true", "local: true\n  crs: auto"),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "alate/check/check.hpp"
+#include "alate/data/scenario_file.hpp"
 #include "data/grid_law.hpp"
 #include "out/report/grid_layer.hpp"
 #include "out/report/report.hpp"
@@ -45,6 +46,24 @@ TEST(GridReport, ShowsCellsHeightsAndMeasures) {
                            "no blocked cell, no corner of one cut", "grid of 30 x 30 cells"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(html.find("Height along the way"), std::string::npos);
+}
+
+TEST(GridReport, CutFromTerrainHasAProfileAndAPlainLine) {
+  Flight flight;
+  flight.site = load_site(load_scenario(ALATE_SOURCE_DIR "/examples/yin2021/jacksboro.yaml"));
+  Route& route = flight.result.plan.route;
+  route.states = {{.position = flight.site.mission.start, .leg = LegKind::start}};
+  for (int i = 1; i <= 5; ++i)
+    route.states.push_back({.position = flight.site.mission.start + Vec3(-flight.site.grid->cell_m * i, 0, 0)});
+  flight.result.metrics = measure(flight.site, route);
+  flight.result.verdict = check(flight.site, route);
+  const std::string crowded = report_html(flight.result);
+  EXPECT_EQ(test::xml_fault(crowded), "");
+  for (const char* part : {"Height along the way", "no corner of one cut; at least", "cells, 90 m wide"})
+    EXPECT_NE(crowded.find(part), std::string::npos) << part;
+  EXPECT_EQ(crowded.find("class=\"waypoint\""), std::string::npos);
+  route.states.erase(route.states.begin() + 1, route.states.end() - 1);
+  EXPECT_NE(report_html(flight.result).find("class=\"waypoint\""), std::string::npos);
 }
 
 TEST(GridReport, PictureHasOnePixelACell) {

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "alate/check/check.hpp"
 #include "support/fly.hpp"
 #include "support/grid_sites.hpp"
 
@@ -62,6 +63,26 @@ TEST(GridAco, TellsLengthsInMetresAndTheLastChange) {
   if (last > 1) {
     EXPECT_NE(plan.history[last - 2].best_so_far, plan.history.back().best_so_far);
   }
+}
+
+/// The colony and the check measure alike; ant 0 repeats the best route, so its score never rises.
+TEST(GridAco, TellsTheMeasuresOfTheBestRoute) {
+  const Site site = grid_site(drawn_grid(30, 2));
+  const Plan plan = fly(site, {.name = "grid-aco", .preset = "li2019", .settings = {{"diagonal", "sqrt2", "test"}}},
+                        {.iterations = 12});
+  const GridMeasures check = *measure(site, plan.route).grid;
+  const GridMeasures told = plan.history.back().grid->best;
+  EXPECT_NEAR(told.length_cells, check.length_cells, 1e-9);
+  EXPECT_NEAR(told.height_deviation_m, check.height_deviation_m, 1e-9);
+  EXPECT_EQ(told.turns, check.turns);
+  double before = kInfinity;
+  for (const IterationStats& stats : plan.history) {
+    if (!stats.grid) continue;
+    EXPECT_LE(composite_index(stats.grid->best), before);
+    before = composite_index(stats.grid->best);
+    EXPECT_GE(*stats.grid->mean_score, before * (1 - 1e-12));
+  }
+  EXPECT_LT(before, kInfinity);
 }
 
 /// Both have the same parameters, so only mu may tell them apart.

@@ -14,7 +14,7 @@ std::vector<Vec3> random_way(std::uint64_t seed, std::size_t count) {
   Stream random(seed, 5, 1);
   std::vector<Vec3> points{1000 * random_unit(random)};
   for (std::size_t i = 1; i < count; ++i)
-    points.push_back(points.back() + Vec3(2500, 0, 0) + (300 + 1500 * random.uniform()) * random_unit(random));
+    points.emplace_back(points.back() + Vec3(2500, 0, 0) + (300 + 1500 * random.uniform()) * random_unit(random));
   return points;
 }
 
@@ -56,7 +56,7 @@ TEST(TurningFlight, FreeHeadingsAreNeverLonger) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     Stream random(seed, 6, 1);
     std::vector<Vec3> points{Vec3::Zero()};
-    for (int i = 0; i < 6; ++i) points.push_back(points.back() + 2000 * random.uniform() * random_unit(random));
+    for (int i = 0; i < 6; ++i) points.emplace_back(points.back() + 2000 * random.uniform() * random_unit(random));
     const TurningFlight contest = fly_over(points, rule_of(TurnModel::arc_tangent));
     const TurningFlight free = fly_over(points, rule_of(TurnModel::free_heading));
     if (contest.legs.size() < 6) continue;

@@ -115,7 +115,7 @@ TEST(FreeHeadingLeg, FliesBetweenAnyPosesSomeRadiiApart) {
     Stream random(seed, 3, 1);
     const Pose from{1e4 * random_unit(random), random_unit(random)};
     const Vec3 way = random_unit(random);
-    const auto facing = [&](Vec3 heading) -> Vec3 { return heading.dot(way) < 0 ? -heading : heading; };
+    const auto facing = [&](const Vec3& heading) -> Vec3 { return heading.dot(way) < 0 ? -heading : heading; };
     const Pose to{from.position + (1200 + 8000 * random.uniform()) * way, facing(random_unit(random))};
     const Pose begin{from.position, facing(from.heading)};
     const auto leg = free_heading_leg(begin, to, kRadius);

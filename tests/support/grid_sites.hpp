@@ -1,11 +1,8 @@
-// Sites on drawn height grids, and their shortest ways by Dijkstra's algorithm.
+// Sites on drawn height grids, and their shortest ways.
 #pragma once
 
-#include <functional>
 #include <limits>
-#include <queue>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "alate/data/site.hpp"
@@ -48,20 +45,20 @@ inline GridSpace corner_space(const HeightGrid& grid, double diagonal, const Gri
   return {grid, {0, grid.rows - 1, grid.columns - 1, 0}, diagonal, score};
 }
 
-/// Infinite where there is no way.
+/// By sweeps over all moves until nothing changes; infinite where there is no way.
 inline double shortest_length(const GridSpace& space) {
-  using Entry = std::pair<double, GridSpace::Cell>;
   std::vector<double> length(space.cells(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  queue.emplace(length[space.start()] = 0, space.start());
-  while (!queue.empty()) {
-    const auto [until, cell] = queue.top();
-    queue.pop();
-    if (until > length[cell]) continue;
-    for (unsigned d = 0; d < GridSpace::kDirections; ++d) {
-      if (((space.open(cell) >> d) & 1U) == 0) continue;
-      const GridSpace::Cell next = space.neighbour(cell, d);
-      if (until + space.step(d) < length[next]) queue.emplace(length[next] = until + space.step(d), next);
+  length[space.start()] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (GridSpace::Cell cell = 0; cell < space.cells(); ++cell) {
+      for (unsigned d = 0; d < GridSpace::kDirections; ++d) {
+        if (((space.open(cell) >> d) & 1U) == 0) continue;
+        double& next = length[space.neighbour(cell, d)];
+        if (!(length[cell] + space.step(d) < next)) continue;
+        next = length[cell] + space.step(d);
+        changed = true;
+      }
     }
   }
   return length[space.goal()];

@@ -54,6 +54,8 @@ class RunContext {
   Stop stop() const;
 
   std::uint64_t iterations() const { return iteration_; }
+  /// Iterations allowed, for schedules; 0: not limited, or none has started.
+  std::uint64_t iteration_limit() const { return limit_; }
   std::uint64_t seed() const { return options_.seed; }
   Executor& executor() const { return executor_; }
   double elapsed_s() const;

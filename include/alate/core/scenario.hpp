@@ -56,10 +56,13 @@ enum class GridHeights {
   peaks  ///< |MATLAB's peaks|, rotated by 90 degrees (Yin et al. 2021).
 };
 
-/// A grid of free and blocked cells, from a file or drawn.
+/// A grid of free and blocked cells, from a file, drawn, or cut from a raster of heights.
 struct GridSpec {
-  std::string map;  ///< Moving AI map, already resolved against the scenario's folder; empty if drawn.
+  std::string map;  ///< Moving AI map, already resolved against the scenario's folder; empty if there is none.
   std::optional<RandomGridSpec> random;
+  std::string dem;                     ///< Raster file, resolved in the same way; empty if there is none.
+  std::optional<double> level_amsl_m;  ///< Flight level; with `dem` only.
+  double clearance_m = 0;              ///< Least height of the flight level above ground; with `dem` only.
   GridHeights heights = GridHeights::flat;
   double cell_m = 1;
 

@@ -1,22 +1,26 @@
 // A grid of square cells, free or blocked, each with a height: the ground of planners that step from cell to cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "alate/core/geometry.hpp"
 
 namespace alate {
 
-/// Row 0 is the top (north), column 0 the left (west). Routes lie at z = 0: lengths are planar, and the height is an
-/// attribute of a cell, as in Yin et al. 2021.
+/// Row 0 is the top (north), column 0 the left (west). Routes lie in one plane: lengths are planar, and the height is
+/// an attribute of a cell, as in Yin et al. 2021.
 struct HeightGrid {
   int columns = 0;
   int rows = 0;
   double cell_m = 1;
+  Vec2 origin = Vec2::Zero();         ///< Lower left corner in the frame.
+  double level_m = 0;                 ///< z of every route.
   std::vector<std::uint8_t> blocked;  ///< Row-major, columns * rows; 1 is blocked.
-  std::vector<float> height_m;        ///< Row-major; empty: flat.
+  std::vector<float> height_m;        ///< Row-major; empty: flat. NaN where ground is unknown, in blocked cells only.
 
   bool contains(int column, int row) const { return column >= 0 && column < columns && row >= 0 && row < rows; }
   /// Index of a cell that the grid contains.
@@ -25,9 +29,17 @@ struct HeightGrid {
   }
   bool blocked_at(int column, int row) const { return blocked[index(column, row)] != 0; }
   double height_at(int column, int row) const { return height_m.empty() ? 0 : double{height_m[index(column, row)]}; }
-  /// ((column + 0.5) cell, (rows - 1 - row + 0.5) cell, 0): y points north, so row 0 has the largest y.
-  Vec3 center(int column, int row) const { return {(column + 0.5) * cell_m, (rows - 1 - row + 0.5) * cell_m, 0}; }
-  Box2 area() const { return {Vec2::Zero(), Vec2(columns * cell_m, rows * cell_m)}; }
+  /// origin + ((column + 0.5) cell, (rows - 1 - row + 0.5) cell): y points north, so row 0 has the largest y.
+  Vec3 center(int column, int row) const {
+    return {origin.x() + (column + 0.5) * cell_m, origin.y() + (rows - 1 - row + 0.5) * cell_m, level_m};
+  }
+  /// Column and row of the cell around `xy`; nothing outside the grid.
+  std::optional<std::array<int, 2>> cell_at(const Vec2& xy) const {
+    const Vec2 at = (xy - origin) / cell_m;
+    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < columns && at.y() < rows)) return std::nullopt;
+    return {{static_cast<int>(at.x()), rows - 1 - static_cast<int>(at.y())}};
+  }
+  Box2 area() const { return {origin, origin + Vec2(columns * cell_m, rows * cell_m)}; }
 };
 
 /// What Yin et al. 2021 judge a route over a grid by.

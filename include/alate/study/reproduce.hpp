@@ -56,8 +56,10 @@ struct Defect {
 struct Reproduction {
   std::string paper;
   std::string title;
+  std::vector<std::string> notes;  ///< What must be known before any figure is read, in plain sentences.
   std::vector<Claim> claims;
   std::vector<Cell> cells;
+  std::vector<Cell> details;  ///< Single cases where `cells` sum up several; in JSON only.
   std::vector<Defect> defects;
   std::vector<std::pair<std::string, ParamValue>> settings;  ///< All that is needed to do it again.
   std::string page;                                          ///< reproduce.html, whole.
@@ -85,7 +87,7 @@ std::optional<Reproduction> reproduce(const std::string& paper, Executor& execut
 /// What a terminal shows.
 std::string to_text(const Reproduction& reproduction);
 
-/// As in the contracts, with `defects` beside.
+/// As in the contracts, with `notes`, `details` and `defects` beside.
 std::string to_json(const Reproduction& reproduction);
 
 /// Writes reproduce.html and reproduce.json into `folder` and returns their names. Files are written aside and

@@ -33,6 +33,12 @@ struct Problem {
       : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
 };
 
+/// What a colony on a grid knows after an iteration.
+struct GridStats {
+  GridMeasures best;                 ///< Of the route with the best score so far, as the colony measures it.
+  std::optional<double> mean_score;  ///< Of the ants that arrived in this iteration.
+};
+
 /// One iteration of a colony or a population. Costs are of the ants that arrived, of the individuals that are routes;
 /// nothing where none did.
 struct IterationStats {
@@ -40,8 +46,9 @@ struct IterationStats {
   std::optional<double> best;
   std::optional<double> mean;
   std::optional<double> worst;
-  double arrived = 0;           ///< Share of them, 0 to 1.
-  std::optional<double> known;  ///< Colonies: share of moves onto a trail that an earlier iteration had left, 0 to 1.
+  double arrived = 0;             ///< Share of them, 0 to 1.
+  std::optional<double> known;    ///< Colonies: share of moves onto a trail that an earlier iteration had left, 0 to 1.
+  std::optional<GridStats> grid;  ///< Colonies on grids, once an ant has arrived.
 };
 
 /// One route of a Pareto front of length, corrections and chance of success.

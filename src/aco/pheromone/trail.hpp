@@ -88,6 +88,7 @@ class Trail {
   TrailLevels& levels() { return levels_; }
   const TrailLevels& levels() const { return levels_; }
   const Store& store() const { return store_; }
+  Store& store() { return store_; }
   /// Lowest and highest trail, that of unknown places among them.
   std::pair<double, double> extremes() {
     auto low = levels_.read(0);

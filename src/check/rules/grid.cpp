@@ -20,6 +20,7 @@ class Touches {
   void stand() {
     if (!moved_ && is_blocked(grid_, walk_.here())) touch(walk_.here().middle);
   }
+  bool any() const { return count_ > 0; }
   Finding finding(std::size_t leg, const Vec3& otherwise) const {
     return {.leg = leg,
             .where = count_ > 0 ? Vec3(where_.x(), where_.y(), otherwise.z()) : otherwise,
@@ -59,7 +60,7 @@ void judge_blocked_cells(const Flight& flight, RuleReport& report) {
     touches.begin_leg();
     for (const Segment& piece : leg.pieces) touches.fly(piece.b.head<2>());
     if (&leg == &flight.legs.back()) touches.stand();
-    report.at_most(touches.finding(leg.index, leg.pieces.back().b));
+    if (touches.any() || !flight.site.has_ground()) report.at_most(touches.finding(leg.index, leg.pieces.back().b));
   }
 }
 

@@ -27,11 +27,11 @@ void judge_height_above_sea(const Leg& leg, double ceiling_m, RuleReport& report
 
 RuleReport judge_terrain_clearance(const Flight& flight) {
   RuleReport report("terrain_clearance");
-  if (flight.site.grid) {
+  if (flight.site.grid) {  // over ground a leg may have two findings: one for its cells, one for its height
     judge_blocked_cells(flight, report);
-    return report;
+  } else if (!flight.site.has_ground()) {
+    report.not_checked("the scenario has no terrain");
   }
-  if (!flight.site.has_ground()) report.not_checked("the scenario has no terrain");
   for (const Leg& leg : flight.legs) {
     report_unknown(leg, report);
     const auto& lowest = leg.above_ground.lowest;

@@ -26,6 +26,14 @@ bool is_blocked(const HeightGrid& grid, const Block& block) {
   return false;
 }
 
+/// Tints are for free cells: mountains that bar the way would leave few for them.
+std::vector<float> free_heights(const HeightGrid& grid) {
+  std::vector<float> heights;
+  for (std::size_t i = 0; i < grid.height_m.size(); ++i)
+    if (grid.blocked[i] == 0) heights.push_back(grid.height_m[i]);
+  return heights;
+}
+
 std::uint8_t tint_of(double height, const std::vector<HeightBand>& bands) {
   const auto above = std::ranges::find_if(bands, [&](const HeightBand& band) { return height < band.to_m; });
   return static_cast<std::uint8_t>(std::min(above, bands.end() - 1) - bands.begin());
@@ -35,7 +43,7 @@ std::uint8_t tint_of(double height, const std::vector<HeightBand>& bands) {
 
 Hillshade grid_picture(const HeightGrid& grid) {
   Hillshade result;
-  result.bands = height_bands(grid.height_m);
+  result.bands = height_bands(free_heights(grid));
   auto& [columns, rows, pixels, palette] = result.image;
   for (const HeightBand& band : result.bands) palette.push_back(band.color);
   if (palette.empty()) palette.push_back(kFlat);

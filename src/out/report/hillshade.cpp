@@ -1,5 +1,7 @@
 #include "out/report/hillshade.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -158,6 +160,14 @@ Hillshade hillshade(const Site& site, const Box2& area, int columns) {
     }
   }
   return result;
+}
+
+std::string height_key(const Hillshade& ground, const char* title) {
+  std::string items;
+  for (const HeightBand& band : ground.bands)
+    items += fmt::format("<span class=\"tint\" style=\"background:rgb({},{},{})\">{:.0f}</span>", band.color[0],
+                         band.color[1], band.color[2], band.from_m);
+  return fmt::format("<li class=\"tints\">{}{}</li>\n", title, items);
 }
 
 }  // namespace alate

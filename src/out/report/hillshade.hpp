@@ -31,4 +31,7 @@ std::vector<HeightBand> height_bands(std::span<const float> heights);
 /// land is gentle.
 Hillshade hillshade(const Site& site, const Box2& area, int columns);
 
+/// The tints with the heights they begin at, an item of a key; `title` is HTML.
+std::string height_key(const Hillshade& ground, const char* title);
+
 }  // namespace alate

@@ -33,9 +33,8 @@ bool leaves_band(const Site& site, const Vec3& at) {
 }
 
 bool in_blocked_cell(const HeightGrid& grid, const Vec3& at) {
-  const int column = static_cast<int>(std::floor(at.x() / grid.cell_m));
-  const int row = grid.rows - 1 - static_cast<int>(std::floor(at.y() / grid.cell_m));
-  return grid.contains(column, row) && grid.blocked_at(column, row);
+  const auto cell = grid.cell_at(at.head<2>());
+  return cell && grid.blocked_at((*cell)[0], (*cell)[1]);
 }
 
 /// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core or in a
@@ -102,6 +101,11 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
   for (const Vec3& at : drawn_line(route)) line.push_back(map(at));
   svg.polyline(line, "halo");
   svg.polyline(line, "route");
+  // Crowded waypoints, such as one a cell of a large grid, would paint over the line.
+  constexpr double kRoom = 8;
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  if (length < kRoom * static_cast<double>(route.states.size() - 1)) return;
   for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
 }
 
@@ -190,14 +194,6 @@ std::string key(std::string_view swatch, std::string_view text) {
   return fmt::format("<li><span class=\"swatch {}\"></span>{}</li>\n", swatch, text);
 }
 
-std::string height_key(const Hillshade& ground) {
-  std::string items;
-  for (const HeightBand& band : ground.bands)
-    items += fmt::format("<span class=\"tint\" style=\"background:rgb({},{},{})\">{:.0f}</span>", band.color[0],
-                         band.color[1], band.color[2], band.from_m);
-  return fmt::format("<li class=\"tints\">Ground from, m:{}</li>\n", items);
-}
-
 struct Shown {
   const Result& result;
   const MapFrame& map;
@@ -224,7 +220,7 @@ std::string legend(const Shown& shown) {
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
   if (site.grid) items += key("s-blocked", "Blocked cell");
-  if (!shown.ground.bands.empty()) items += height_key(shown.ground);
+  if (!shown.ground.bands.empty()) items += height_key(shown.ground, "Ground from, m:");
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
   if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
     items += key("s-broken", "Place where a rule is broken");

@@ -93,7 +93,8 @@ std::string body(const Result& result) {
   html += verdict_banner(result);
   if (found) html += facts(result);
   html += page_section("Map", map_figure(result));
-  if (!result.site.grid) html += page_section("Height along the way", profile_figure(result));
+  if (!result.site.grid || result.site.has_ground())
+    html += page_section("Height along the way", profile_figure(result));
   html += page_section("Navigation errors along the way", errors_figure(result));
   html += page_section("The best trade-offs", front_figure(result));
   if (found) html += page_section("What was checked", rules_table(result));

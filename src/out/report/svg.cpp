@@ -51,7 +51,7 @@ void Svg::shape(std::string_view opening, std::string_view name, std::string_vie
 }
 
 void Svg::polygon(const std::vector<Vec2>& points, std::string_view css_class, std::string_view tooltip) {
-  shape(fmt::format("<polygon points=\"{}\" class=\"{}\"", list_of(points), css_class), "polygon", tooltip);
+  shape(fmt::format(R"(<polygon points="{}" class="{}")", list_of(points), css_class), "polygon", tooltip);
 }
 
 void Svg::circle(const Vec2& center, double radius, std::string_view css_class, std::string_view tooltip) {

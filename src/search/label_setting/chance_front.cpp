@@ -94,7 +94,7 @@ class ChanceSearch {
   }
 
   void fly_home(std::uint32_t index, const ChanceLabel& from) {
-    const double home = graph_.length(from.node, graph_.goal());
+    const double home = graph_.to_goal(from.node);
     if (!graph_.is_free(from.node, graph_.goal())) return;
     const ChanceLabel last = labels_.fly(graph_.limits(), index, {.length_m = home, .kind = PointKind::end}, certain_);
     labels_.forget(last);

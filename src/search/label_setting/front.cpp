@@ -18,6 +18,7 @@ struct FrontSearch {
   const CorrectionGraph& graph;
   RunContext& run;
   FrontResult result;
+  std::optional<RemainingCorrections> corrections_left;  ///< On the whole graph.
 
   /// Something to start from. False if there is no route, or no time.
   bool find_any() {
@@ -39,7 +40,7 @@ struct FrontSearch {
     if (!few.route) return stop();
     const CorrectionRoute& known = few.route->points.size() < result.best->points.size() ? *few.route : *result.best;
     const int most = static_cast<int>(known.points.size());
-    const RemainingCorrections left(graph, most, run);
+    const RemainingCorrections& left = corrections_left.emplace(graph, most, run);
     result.labels += left.labels();
     if (left.stopped()) return stop();
     for (int fewest = left.fewest(); fewest <= most; ++fewest) {
@@ -55,6 +56,7 @@ struct FrontSearch {
 
   /// The rest, within the corridor of `fewest`.
   void fill_in(const CorrectionRoute& fewest) {
+    if (fewest.points.empty()) return take_straight(fewest);
     const double upper = fewest.length_m * (1 + kRounding);
     const CorrectionGraph corridor = graph.within(upper);
     // The best route known leads the search for the shortest; beyond it a weaker bound will do.
@@ -65,8 +67,7 @@ struct FrontSearch {
     LengthCaps known{.fewest = static_cast<int>(fewest.points.size())};
     const int most = std::max(known.fewest, length.shortest_corrections());
     known.most_m.assign(static_cast<std::size_t>(most - known.fewest) + 1, upper);
-    const RemainingCorrections left(corridor, most, run);
-    result.labels += left.labels();
+    const RemainingCorrections left = left_in(corridor, most);
     if (left.stopped()) return void(stop());
     for (const double power : {2.0, 1.0, 0.0}) {
       const LengthCaps caps = guess(known, length.shortest_m(), power);
@@ -101,6 +102,20 @@ struct FrontSearch {
       if (length < (i == 0 ? kInfinity : search.length_m(i - 1))) result.routes.push_back(search.route(i));
     }
     return proven;
+  }
+
+  /// For one more correction than was swept for, the bounds at hand will do.
+  RemainingCorrections left_in(const CorrectionGraph& corridor, int most) {
+    if (most <= corrections_left->most() + 1) return {*corrections_left, corridor};
+    RemainingCorrections left(corridor, most, run);
+    result.labels += left.labels();
+    return left;
+  }
+
+  /// Nothing is shorter than the straight leg home.
+  void take_straight(const CorrectionRoute& route) {
+    result.routes = {route};
+    result.bound_m = route.length_m;
   }
 
   std::optional<CorrectionRoute> stop() {

@@ -53,7 +53,7 @@ void LayeredSearch::expand(std::uint32_t index, int corrections) {
 
 void LayeredSearch::fly_home(std::uint32_t index, const Label& from) {
   const Node goal = graph_.goal();
-  const double home = graph_.length(from.node, goal);
+  const double home = graph_.to_goal(from.node);
   const double length = from.length_m + home;
   if (from.corrections > caps_.most() || !graph_.leg(from.node, goal).keeps_limits(from.error, home)) return;
   const auto first = static_cast<std::size_t>(std::max(0, from.corrections - caps_.fewest));
@@ -67,9 +67,9 @@ void LayeredSearch::fly_home(std::uint32_t index, const Label& from) {
 
 /// Within a cap, by the bounds on what is left?
 bool LayeredSearch::can_lead_home(Node j, const Label& label) const {
-  const double straight = graph_.length(j, graph_.goal());
+  const double straight = graph_.to_goal(j);
   if (label.length_m + straight > caps_.most_m.front()) return false;
-  const int corrections = label.corrections + bounds_.corrections.at(j, label.error);
+  const int corrections = bounds_.corrections.in_all(j, label.error, label.corrections);
   if (corrections > caps_.most()) return false;
   const double most = caps_.most_m[static_cast<std::size_t>(std::max(0, corrections - caps_.fewest))];
   if (label.length_m + straight > most) return false;

@@ -77,8 +77,8 @@ double RemainingLength::at(Node node, double error) const {
   const double known = table_.at(node, error);
   if (known < kInfinity) return known * (1 - kRounding);
   if (upper_m_ == kInfinity) return kInfinity;
-  const double longer = upper_m_ - graph_->length(graph_->start(), node);
-  return std::max(longer, graph_->length(node, graph_->goal())) * (1 - kRounding);
+  const double longer = upper_m_ - graph_->from_start(node);
+  return std::max(longer, graph_->to_goal(node)) * (1 - kRounding);
 }
 
 void RemainingLength::note_arrival(double length_m, int corrections) {
@@ -115,7 +115,7 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
     graph.for_each_previous(at.node, at.error, [&](Node i, double d, double error) {
       if (error <= most_error[i]) return;
       const double length = at.length_m + d;
-      const double key = length + graph.length(graph.start(), i);
+      const double key = length + graph.from_start(i);
       if (key * (1 - kRounding) > upper_m_ || (error <= open_error[i] && length >= open_length[i])) return;
       if (!graph.is_free(i, at.node)) return;
       open_error[i] = error;
@@ -130,10 +130,13 @@ std::vector<StepTable::Step> RemainingLength::search(RunContext& run) {
 RemainingCorrections::RemainingCorrections(const CorrectionGraph& graph, int most, RunContext& run)
     : graph_(&graph), reach_(graph), most_(most), table_(graph.size(), sweep(run)) {}
 
+RemainingCorrections::RemainingCorrections(const RemainingCorrections& whole, const CorrectionGraph& part)
+    : graph_(&part), reach_(whole.reach_), most_(whole.most_), table_(whole.table_.part(part.whole())) {}
+
 int RemainingCorrections::at(Node node, double error) const {
   const double known = table_.at(node, error);
   if (known < kInfinity) return static_cast<int>(known);
-  return most_ + 1 - reach_.least_corrections(graph_->length(graph_->start(), node));
+  return most_ + 1 - reach_.least_corrections(graph_->from_start(node));
 }
 
 /// Layer k holds the nodes whose most error grew when one more correction was allowed.
@@ -154,7 +157,7 @@ std::vector<StepTable::Step> RemainingCorrections::sweep(RunContext& run) {
       }
       graph.for_each_previous(j, most_error[j], [&](Node i, double, double error) {
         if (error <= most_error[i] || error <= next_error[i]) return;
-        if (graph.length(graph.start(), i) > farthest || !graph.is_free(i, j)) return;
+        if (graph.from_start(i) > farthest || !graph.is_free(i, j)) return;
         if (next_error[i] < 0) next.push_back(i);
         next_error[i] = error;
       });

@@ -1,6 +1,7 @@
 // What is left to fly and to correct from a point with an error: backward searches, tables and bounds.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "alate/core/run_context.hpp"
@@ -60,10 +61,18 @@ class RemainingCorrections {
  public:
   /// Exact, to rounding, for routes with up to `most` corrections; others are only known to have more.
   RemainingCorrections(const CorrectionGraph& graph, int most, RunContext& run);
+  /// The same bounds for a part of the graph.
+  RemainingCorrections(const RemainingCorrections& whole, const CorrectionGraph& part);
 
   int at(CorrectionGraph::Node node, double error) const;
+  /// Corrections of a whole route that comes to the node with `before` of them, its own included. Holds for routes of
+  /// any number: where more than `most` are needed, it says no more than that.
+  int in_all(CorrectionGraph::Node node, double error, int before) const {
+    return std::min(before + at(node, error), std::max(before, most_ + 1));
+  }
   /// On any route; more than `most` where none has as few.
   int fewest() const { return at(graph_->start(), 0); }
+  int most() const { return most_; }
   bool stopped() const { return stopped_; }
   std::uint64_t labels() const { return labels_; }
 

@@ -42,13 +42,13 @@ class Search {
 
   void expand(std::uint32_t index, const Label& from) {
     const Node goal = graph_.goal();
-    const double home = graph_.length(from.node, goal);
+    const double home = graph_.to_goal(from.node);
     if (graph_.leg(from.node, goal).keeps_limits(from.error, home) && graph_.is_free(from.node, goal))
       add({from.length_m + home, 0, goal, index, from.corrections}, cost(from) + home);
     graph_.for_each_next(from.node, from.error, [&](Node j, double d, double error) {
       if (error >= least_error_[j]) return;
       const double length = from.length_m + d;
-      const double ahead = graph_.length(j, goal);
+      const double ahead = graph_.to_goal(j);
       if (length + ahead > options_.most_m) return;
       const Label next{length, error, j, index, from.corrections + 1};
       const double spent = cost(next);

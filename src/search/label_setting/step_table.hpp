@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "space/correction_graph.hpp"
@@ -28,6 +29,17 @@ class StepTable {
     for (const Step& step : steps) steps_[place[step.node]++] = {step.value, step.most_error};
   }
 
+  /// Node i of the new table has the steps of node whole[i].
+  StepTable part(std::span<const CorrectionGraph::Node> whole) const {
+    StepTable part;
+    part.first_.assign(1, 0);
+    for (const CorrectionGraph::Node i : whole) {
+      part.steps_.insert(part.steps_.end(), steps_.begin() + first_[i], steps_.begin() + first_[i + 1]);
+      part.first_.push_back(static_cast<std::uint32_t>(part.steps_.size()));
+    }
+    return part;
+  }
+
   /// Infinity where no step allows the error.
   double at(CorrectionGraph::Node node, double error) const {
     for (std::uint32_t i = first_[node]; i < first_[node + 1]; ++i)
@@ -36,6 +48,8 @@ class StepTable {
   }
 
  private:
+  StepTable() = default;
+
   struct Pair {
     double value = 0;
     double most_error = 0;

@@ -80,7 +80,7 @@ class TurningSearch {
   void expand(const Branch& branch) {
     const std::size_t first = open_.size();
     graph_.for_each_next(branch.node, branch.error, [&](Node j, double d, double) { add(branch, j, d); });
-    add(branch, graph_.goal(), graph_.length(branch.node, graph_.goal()));
+    add(branch, graph_.goal(), graph_.to_goal(branch.node));
     std::ranges::sort(
         open_.begin() + static_cast<std::ptrdiff_t>(first), open_.end(),
         [](const Branch& a, const Branch& b) { return std::tie(a.bound_m, a.node) > std::tie(b.bound_m, b.node); });

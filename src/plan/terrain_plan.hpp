@@ -1,0 +1,41 @@
+// What all planners on terrain lattices share: when they refuse, why there is no route, and the way from a string of
+// moves to a Plan.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "aco/walk/lattice_walk.hpp"
+#include "alate/plan/planner.hpp"
+#include "space/terrain_lattice.hpp"
+
+namespace alate {
+
+/// Why a lattice over terrain cannot serve this problem; empty if it can.
+std::string terrain_refusal(const Problem& problem);
+
+/// What a search on a lattice found.
+struct LatticeFound {
+  bool found = false;
+  std::vector<std::uint32_t> actions;
+  std::uint64_t moves = 0;  ///< That were tried.
+  LatticeTally tally;
+  std::vector<IterationStats> history;
+};
+
+struct TerrainSearch {
+  std::function<LatticeFound(const TerrainLattice&)> search;
+  /// Better places for a route that was found, first and last the same; empty: as they are.
+  std::function<std::vector<Vec3>(std::vector<Vec3>)> polish;
+};
+
+/// Builds the space, searches and wraps up. That no string of moves leads to the goal proves nothing beyond the
+/// lattice: none_found, with the plane that moves from the start reach at most. The history tells what the colony ranks
+/// by; the plan's cost is that of the scenario's objective. The lower bound is that of the continuous problem.
+/// Counters: dead_ends; last_change, the last iteration that changed the best so far; broken_*: how often each
+/// constraint was broken by ants that arrived, barred_*: how many candidates it took away.
+Plan plan_over_terrain(const Problem& problem, RunContext& run, const LatticeOptions& options,
+                       const TerrainSearch& search);
+
+}  // namespace alate
