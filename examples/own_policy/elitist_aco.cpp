@@ -7,6 +7,7 @@
 #include "aco/heuristic/goal_table.hpp"
 #include "aco/local_search/none.hpp"
 #include "aco/transition/move_table.hpp"
+#include "aco/walk/grid_walk.hpp"
 #include "elitist.hpp"
 #include "plan/colony_parameters.hpp"
 #include "plan/grid_plan.hpp"

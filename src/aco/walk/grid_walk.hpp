@@ -2,7 +2,7 @@
 // step.
 //
 // Source: alate. Every ant draws from its own Stream and reads tables that nobody changes, so who walks beside whom
-// does not show. Cost: 9 ns a step where a table holds the choices, 16 ns where they are worked out.
+// does not show. Cost: 9 ns a step where a table holds the choices, 15 ns where they are worked out.
 //
 // As in the papers a visited cell is tabu, and an ant without a free neighbour is dead: no score, no deposit. Optional:
 // - it steps back instead; with no limit on that it always arrives where there is a way (cells stay tabu);
