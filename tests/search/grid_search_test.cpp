@@ -76,7 +76,7 @@ TYPED_TEST(GridSearch, IsAsShortAsDijkstras) {
       const auto [c, d] = ends[i + 1];
       const double least = test::shortest_length(GridSpace(grid, {a, b, c, d}, std::numbers::sqrt2, {}));
       const GridWay way = this->find(search, BitGrid::place(a, b), BitGrid::place(c, d));
-      ASSERT_TRUE(way.proven);
+      ASSERT_TRUE(way.finished);
       ASSERT_EQ(way.found, std::isfinite(least)) << map;
       without += way.found ? 0 : 1;
       if (!way.found) continue;
@@ -121,7 +121,7 @@ TYPED_TEST(GridSearch, AStoppedSearchProvesNothing) {
   RunContext run(this->executor, {.stop = source.get_token()});
   const GridWay way = search.find(BitGrid::place(0, 0), BitGrid::place(3, 2), run);
   EXPECT_FALSE(way.found);
-  EXPECT_FALSE(way.proven);
+  EXPECT_FALSE(way.finished);
 }
 
 /// Every row of seven maps for jump point search; every tenth for A*, which takes longer.

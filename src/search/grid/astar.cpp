@@ -76,7 +76,7 @@ GridWay GridAStar::find(GridPlace start, GridPlace goal, RunContext& run) {
   open_.clear(to_goal(start));
   open_.push(to_goal(start), {costs_.key(0), start});
   GridWay way;
-  way.proven = search(run);
+  way.finished = search(run);
   if (costs_.known(grid_.cell(goal))) trace(way);
   way.expansions = expansions_;
   return way;

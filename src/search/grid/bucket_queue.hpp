@@ -32,8 +32,9 @@ class BucketQueue {
     level_ = least >> kWidthBits;
   }
   bool empty() const { return count_ == 0; }
+  /// A priority below the lowest bucket counts as in it.
   void push(OctileCost priority, const Entry& entry) {
-    std::uint32_t& head = heads_[(priority >> kWidthBits) & (heads_.size() - 1)];
+    std::uint32_t& head = heads_[std::max(priority >> kWidthBits, level_) & (heads_.size() - 1)];
     const Link link{entry, head};
     if (spare_ == kNone) {
       head = static_cast<std::uint32_t>(links_.size());

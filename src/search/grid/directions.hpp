@@ -17,4 +17,11 @@ constexpr GridPlace moved(GridPlace place, unsigned direction, int steps = 1) {
 
 constexpr unsigned turned(unsigned direction, unsigned eighths) { return (direction + eighths) % BitGrid::kDirections; }
 
+/// Steps in a straight direction from one place to another; 0 if it does not lie there.
+constexpr int steps_to(GridPlace from, GridPlace to, unsigned direction) {
+  const auto [across, along] = kGridShifts[direction];
+  if (across == 0) return from.column == to.column ? (to.row - from.row) * along : 0;
+  return from.row == to.row ? (to.column - from.column) * across : 0;
+}
+
 }  // namespace alate

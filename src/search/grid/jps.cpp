@@ -11,10 +11,6 @@ namespace {
 
 constexpr unsigned kNoDirection = BitGrid::kDirections;
 
-OctileCost widest_spread(const BitGrid& grid) {
-  return 2 * kDiagonal * (static_cast<OctileCost>(grid.columns()) + static_cast<OctileCost>(grid.rows()));
-}
-
 }  // namespace
 
 JumpPointSearch::JumpPointSearch(const BitGrid& grid)
@@ -46,19 +42,10 @@ void JumpPointSearch::reach(const Origin& origin, GridPlace place, unsigned dire
 }
 
 void JumpPointSearch::run_straight(const Origin& origin, unsigned direction) {
-  const bool along_row = direction % 4 == 0;
-  const bool ahead = direction == 0 || direction == 6;
-  const BitLanes& lanes = along_row ? grid_.by_row() : grid_.by_column();
-  const unsigned at = along_row ? origin.place.column : origin.place.row;
-  const unsigned lane = along_row ? origin.place.row : origin.place.column;
-  const BitLanes::Cell cell = lanes.cell(at, lane);
-  const StraightRun run = ahead ? run_ahead(lanes, cell) : run_back(lanes, cell);
+  const StraightRun run = run_in(grid_, origin.place, direction);
   unsigned steps = run.turns ? run.steps : 0;
-  if (lane == (along_row ? goal_.row : goal_.column)) {
-    const unsigned goal = along_row ? goal_.column : goal_.row;
-    const unsigned distance = ahead ? goal - at : at - goal;  // wraps round behind
-    if (distance != 0 && distance <= run.steps) steps = distance;
-  }
+  const int goal = steps_to(origin.place, goal_, direction);
+  if (goal > 0 && goal <= static_cast<int>(run.steps)) steps = static_cast<unsigned>(goal);
   if (steps == 0) return;
   reach({origin.key + steps * kStraight, origin.place, origin.parent},
         moved(origin.place, direction, static_cast<int>(steps)), direction);
@@ -137,7 +124,7 @@ GridWay JumpPointSearch::find(GridPlace start, GridPlace goal, RunContext& run) 
   open_.clear(to_goal(start));
   open_.push(to_goal(start), {costs_.key(0), start, kNoDirection});
   GridWay way;
-  way.proven = search(run);
+  way.finished = search(run);
   if (costs_.known(grid_.cell(goal))) trace(way);
   way.expansions = expansions_;
   return way;

@@ -42,4 +42,18 @@ inline StraightRun run_back(const BitLanes& lanes, BitLanes::Cell cell) {
   }
 }
 
+/// From `place` in a straight direction.
+inline StraightRun run_in(const BitGrid& grid, GridPlace place, unsigned direction) {
+  switch (direction) {
+    case 0:
+      return run_ahead(grid.by_row(), grid.by_row().cell(place.column, place.row));
+    case 2:
+      return run_back(grid.by_column(), grid.by_column().cell(place.row, place.column));
+    case 4:
+      return run_back(grid.by_row(), grid.by_row().cell(place.column, place.row));
+    default:
+      return run_ahead(grid.by_column(), grid.by_column().cell(place.row, place.column));
+  }
+}
+
 }  // namespace alate
