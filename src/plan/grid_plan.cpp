@@ -14,17 +14,12 @@ namespace alate {
 
 namespace {
 
-struct CellPlace {
-  int column = 0;
-  int row = 0;
-};
-
 /// The free cell whose middle `place` is.
-std::optional<CellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
+std::optional<GridCellPlace> cell_of(const HeightGrid& grid, const Vec3& place) {
   constexpr double kHair = 1e-9;
   const auto found = grid.cell_at(place.head<2>());
   if (!found) return std::nullopt;
-  const CellPlace cell{.column = (*found)[0], .row = (*found)[1]};
+  const GridCellPlace cell{.column = (*found)[0], .row = (*found)[1]};
   if (grid.blocked_at(cell.column, cell.row)) return std::nullopt;
   if ((grid.center(cell.column, cell.row) - place).norm() > kHair * grid.cell_m) return std::nullopt;
   return cell;
@@ -43,7 +38,7 @@ Route route_of(const Problem& problem, const GridSpace& space, const std::vector
   return route;
 }
 
-std::string no_way(const GridSpace& space, const std::vector<std::uint8_t>& reached) {
+std::string dead_end(const GridSpace& space, const std::vector<std::uint8_t>& reached) {
   GridSpace::Cell nearest = space.start();
   for (GridSpace::Cell cell = 0; cell < space.cells(); ++cell)
     if (reached[cell] != 0 && space.to_goal(cell) < space.to_goal(nearest)) nearest = cell;
@@ -51,6 +46,11 @@ std::string no_way(const GridSpace& space, const std::vector<std::uint8_t>& reac
       "blocked cells part the start from the goal: of the cells that moves from the start reach, [{}, {}] is the "
       "nearest to the goal, {:.1f} cells from it",
       space.column(nearest), space.row(nearest), space.to_goal(nearest));
+}
+
+GridSpace::Ends ends_of(const Problem& problem) {
+  const auto [start, goal] = grid_ends(problem);
+  return {.start_column = start.column, .start_row = start.row, .goal_column = goal.column, .goal_row = goal.row};
 }
 
 std::string nothing_found(Stop stop) {
@@ -84,11 +84,29 @@ std::string grid_refusal(const Problem& problem) {
   return "";
 }
 
+GridEnds grid_ends(const Problem& problem) {
+  const HeightGrid& grid = *problem.world.site().grid;
+  return {*cell_of(grid, problem.mission.start), *cell_of(grid, problem.mission.goal)};
+}
+
+double least_length(const Problem& problem) {
+  constexpr double kHair = 1e-12;  // a sum of legs in another order
+  const auto [start, goal] = grid_ends(problem);
+  const int across = std::abs(start.column - goal.column);
+  const int along = std::abs(start.row - goal.row);
+  const int both = std::min(across, along);
+  return problem.world.site().grid->cell_m * (std::max(across, along) - both + both * std::numbers::sqrt2) *
+         (1 - kHair);
+}
+
+std::string no_way(const Problem& problem) {
+  const GridSpace space(*problem.world.site().grid, ends_of(problem), std::numbers::sqrt2, {});
+  return dead_end(space, space.flood(space.start()));
+}
+
 Plan plan_on_grid(const Problem& problem, RunContext& run, const GridOptions& options, const GridSearch& search) {
   const HeightGrid& grid = *problem.world.site().grid;
-  const CellPlace start = *cell_of(grid, problem.mission.start);
-  const CellPlace goal = *cell_of(grid, problem.mission.goal);
-  const GridSpace space(grid, {start.column, start.row, goal.column, goal.row}, options.diagonal, options.score);
+  const GridSpace space(grid, ends_of(problem), options.diagonal, options.score);
   const std::vector<std::uint8_t> reached = space.flood(space.start());
   const bool has_way = reached[space.goal()] != 0;
 
@@ -99,10 +117,7 @@ Plan plan_on_grid(const Problem& problem, RunContext& run, const GridOptions& op
     found = search(space);
   Plan plan;
   plan.seed = run.seed();
-  const GridSpace planar(grid, {start.column, start.row, goal.column, goal.row}, std::numbers::sqrt2, {});
-  constexpr double kHair = 1e-12;  // a sum of legs in another order
-  plan.lower_bound =
-      problem.objective.length * grid.cell_m * planar.octile(planar.start(), planar.goal()) * (1 - kHair);
+  plan.lower_bound = problem.objective.length * least_length(problem);
   if (found.found) {
     plan.outcome = Outcome::feasible;
     plan.route = route_of(problem, space, found.directions);
@@ -116,7 +131,7 @@ Plan plan_on_grid(const Problem& problem, RunContext& run, const GridOptions& op
                    {"last_change", last_change(found.history)}};
   plan.history = in_metres(std::move(found.history), grid.cell_m);
   if (!has_way) plan.outcome = Outcome::infeasible_proven;
-  if (!found.found) plan.why = has_way ? nothing_found(plan.stop) : no_way(space, reached);
+  if (!found.found) plan.why = has_way ? nothing_found(plan.stop) : dead_end(space, reached);
   return plan;
 }
 

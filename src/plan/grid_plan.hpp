@@ -14,6 +14,26 @@ namespace alate {
 /// Why shortest routes from cell to cell are not what the problem asks for; empty if they are.
 std::string grid_refusal(const Problem& problem);
 
+/// Column and row of a cell, (0, 0) in the upper left.
+struct GridCellPlace {
+  int column = 0;
+  int row = 0;
+};
+
+struct GridEnds {
+  GridCellPlace start;
+  GridCellPlace goal;
+};
+
+/// Of a problem that is not refused.
+GridEnds grid_ends(const Problem& problem);
+
+/// No string of moves is shorter, metres: the shortest way were all cells free.
+double least_length(const Problem& problem);
+
+/// Where moves from the start end, in words, for a goal that they do not reach.
+std::string no_way(const Problem& problem);
+
 /// Cost of a diagonal step where a straight one costs 1, and how routes are judged.
 struct GridOptions {
   double diagonal = 0;

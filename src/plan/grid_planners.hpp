@@ -5,6 +5,8 @@
 
 namespace alate {
 
+PlannerEntry jps_entry();
+PlannerEntry astar_entry();
 PlannerEntry grid_aco_entry();
 
 }  // namespace alate

@@ -41,6 +41,8 @@ const Registry& builtin_planners() {
     registry.add(sparse_astar_entry());
     registry.add(correction_ga_entry());
     registry.add(correction_aco_entry());
+    registry.add(jps_entry());
+    registry.add(astar_entry());
     registry.add(grid_aco_entry());
     registry.add(terrain_aco_entry());
     return registry;

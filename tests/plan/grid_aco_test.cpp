@@ -121,12 +121,12 @@ TEST(GridAco, RefusesWhatItCannotServe) {
   EXPECT_NE(refusal(threatened).find("threats"), std::string::npos);
 }
 
-TEST(GridAco, NoOtherPlannerServesGrids) {
+TEST(GridAco, OnlyPlannersOnGridsServeThem) {
   Site site = grid_site(drawn_grid(10, 1, 0));
   site.vehicle = {.step_m = 1, .roll_rad = {0}, .pitch_rad = {0}, .yaw_rad = {0}};
   const World world(site);
   for (const PlannerEntry& entry : builtin_planners().entries())
-    EXPECT_EQ(entry.refuses(Problem(world)).empty(), entry.name == "grid-aco") << entry.name;
+    EXPECT_EQ(entry.refuses(Problem(world)).empty(), entry.can.space == "height grid") << entry.name;
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct PlannerEntry {
   /// Empty if the planner can serve this problem, else a plain sentence why it cannot.
   std::function<std::string(const Problem&)> refuses;
   std::function<Planner(const ParamValues&)> make;
+  std::string fits;  ///< Why automatic choice takes it; empty: it is the first that can serve.
 
   const Preset* find_preset(std::string_view preset) const;
 };

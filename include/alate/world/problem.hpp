@@ -29,8 +29,10 @@ struct Problem {
   Preference prefer = Preference::length;
   bool front = false;  ///< The whole Pareto front is asked for, where a planner knows it.
 
-  explicit Problem(const World& w)
-      : world(w), vehicle(w.site().vehicle), mission(w.site().mission), objective(w.site().scenario.objective) {}
+  explicit Problem(const World& w) : Problem(w, w.site().mission) {}
+  /// Between other ends than the site's; `m` must outlive this.
+  Problem(const World& w, const Mission& m)
+      : world(w), vehicle(w.site().vehicle), mission(m), objective(w.site().scenario.objective) {}
 };
 
 /// What a colony on a grid knows after an iteration.

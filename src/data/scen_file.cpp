@@ -1,0 +1,208 @@
+#include "data/scen_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include "core/number_text.hpp"
+#include "data/file_faults.hpp"
+#include "data/grid_map.hpp"
+#include "data/limits.hpp"
+#include "data/scenario_text.hpp"
+#include "data/text_file.hpp"
+
+namespace alate {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum Column : std::size_t { bucket, map, width, height, start_x, start_y, goal_x, goal_y, optimum, kColumns };
+constexpr std::array<const char*, kColumns> kNames{"bucket",  "map",    "width",  "height",        "start x",
+                                                   "start y", "goal x", "goal y", "optimal length"};
+
+/// Reads the rows of one file.
+class Reader {
+ public:
+  Reader(const std::string& file, std::vector<Fault>& faults) : path_(file), all_(faults), faults_(file, faults) {}
+
+  std::optional<ScenFile> read(std::string_view text);
+
+ private:
+  void refuse(Fault fault) {
+    fault.line = number_;
+    faults_.add(std::move(fault));
+  }
+  void refuse(Column column, std::string message, std::string limit);
+  bool next_line();
+  void split();
+  bool read_version();
+  bool read_map();
+  void read_row();
+  bool fits_map();
+  std::optional<double> number(Column column, double most);
+  std::optional<int> whole(Column column, double most);
+  std::optional<std::array<int, 2>> cell(Column x, Column y);
+
+  fs::path path_;
+  std::vector<Fault>& all_;
+  FileFaults faults_;
+  std::string_view rest_, line_;
+  int number_ = 0;  ///< Of the line.
+  std::array<std::string_view, kColumns> cells_;
+  std::size_t count_ = 0;  ///< Columns of the line.
+  std::string map_name_;
+  ScenFile scen_;
+};
+
+void Reader::refuse(Column column, std::string message, std::string limit) {
+  const std::string_view text = cells_.at(column);
+  refuse({.column = static_cast<int>(text.data() - line_.data()) + 1,
+          .field = kNames.at(column),
+          .value = shortened(std::string(text)),
+          .limit = std::move(limit),
+          .message = std::move(message)});
+}
+
+bool Reader::next_line() {
+  while (!rest_.empty()) {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+    line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
+void Reader::split() {
+  constexpr std::string_view kBlanks = " \t";
+  count_ = 0;
+  for (std::size_t begin = line_.find_first_not_of(kBlanks); begin < line_.size(); ++count_) {
+    const std::size_t end = std::min(line_.find_first_of(kBlanks, begin), line_.size());
+    if (count_ < kColumns) cells_.at(count_) = line_.substr(begin, end - begin);
+    begin = line_.find_first_not_of(kBlanks, end);
+  }
+}
+
+bool Reader::read_version() {
+  split();
+  if (count_ == 2 && cells_[0] == "version" && (cells_[1] == "1" || cells_[1] == "1.0")) return true;
+  refuse({.column = 1,
+          .value = shortened(std::string(line_)),
+          .limit = "version 1",
+          .message = "the first line must name a version that can be read"});
+  return false;
+}
+
+/// The map that the first row names, beside the file.
+bool Reader::read_map() {
+  map_name_ = cells_[map];
+  const std::string name = fs::path(map_name_).filename().string();
+  const std::string own = path_.filename().string();
+  if (own.ends_with(".map.scen") && own != name + ".scen")
+    refuse(map, "the rows are of another map than the name of the file says", own.substr(0, own.size() - 5));
+  auto grid = read_grid_map((path_.parent_path() / name).string(), all_);
+  if (!grid) return false;
+  scen_.grid = std::move(*grid);
+  return true;
+}
+
+std::optional<double> Reader::number(Column column, double most) {
+  const NumberText text = parse_number(cells_.at(column));
+  if (text.problem.empty() && text.value >= 0 && text.value <= most) return text.value;
+  refuse(column, text.problem.empty() ? "out of range" : text.problem, fmt::format("0 to {}", most));
+  return std::nullopt;
+}
+
+std::optional<int> Reader::whole(Column column, double most) {
+  const auto value = number(column, most);
+  if (!value || *value == std::floor(*value)) return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+  refuse(column, "must be a whole number", fmt::format("0 to {}", most));
+  return std::nullopt;
+}
+
+bool Reader::fits_map() {
+  if (cells_[map] != map_name_) {
+    refuse(map, "all rows must be of one map", map_name_);
+    return false;
+  }
+  const auto columns = whole(width, kMaxGridSide);
+  const auto rows = whole(height, kMaxGridSide);
+  if (columns && *columns != scen_.grid.columns)
+    refuse(width, "is not that of the map", fmt::format("{}", scen_.grid.columns));
+  if (rows && *rows != scen_.grid.rows) refuse(height, "is not that of the map", fmt::format("{}", scen_.grid.rows));
+  return columns == scen_.grid.columns && rows == scen_.grid.rows;
+}
+
+std::optional<std::array<int, 2>> Reader::cell(Column x, Column y) {
+  const auto column = whole(x, scen_.grid.columns - 1);
+  const auto row = whole(y, scen_.grid.rows - 1);
+  if (!column || !row) return std::nullopt;
+  if (!scen_.grid.blocked_at(*column, *row)) return {{*column, *row}};
+  refuse(x, fmt::format("the cell [{}, {}] is blocked", *column, *row), "a free cell");
+  return std::nullopt;
+}
+
+void Reader::read_row() {
+  split();
+  if (count_ != kColumns) {
+    refuse({.value = fmt::format("{}", count_),
+            .limit = fmt::format("{}", std::size_t{kColumns}),
+            .message = "wrong number of columns: bucket, map, width, height, start x and y, goal x and y, length"});
+    return;
+  }
+  if (map_name_.empty() && !read_map()) {
+    rest_ = {};
+    return;
+  }
+  if (!fits_map()) return;
+  whole(bucket, kMaxMagnitude);
+  const auto start = cell(start_x, start_y);
+  const auto goal = cell(goal_x, goal_y);
+  const auto length = number(optimum, kMaxMagnitude);
+  if (start && goal && length) scen_.rows.push_back({(*start)[0], (*start)[1], (*goal)[0], (*goal)[1], *length});
+}
+
+std::optional<ScenFile> Reader::read(std::string_view text) {
+  const std::size_t earlier = all_.size();
+  rest_ = text;
+  std::size_t rows = 0;
+  if (text.find('\0') != std::string_view::npos) {
+    refuse({.message = "is not a text file"});
+  } else if (!next_line()) {
+    refuse({.message = "the file is empty"});
+  } else if (read_version()) {
+    while (next_line() && ++rows <= kMaxScenRows) read_row();
+    if (rows == 0) refuse({.message = "the file has a version but no rows"});
+    if (rows > kMaxScenRows) refuse({.limit = fmt::format("<= {}", kMaxScenRows), .message = "too many rows"});
+  }
+  faults_.finish(number_);
+  if (all_.size() > earlier) return std::nullopt;
+  return std::move(scen_);
+}
+
+}  // namespace
+
+double scen_tolerance(double published) {
+  constexpr double kLeast = 1e-3;
+  constexpr int kDigits = 6;
+  if (published <= 1) return kLeast;
+  return std::max(kLeast, 0.5 * std::pow(10.0, std::floor(std::log10(published)) + 1 - kDigits));
+}
+
+std::optional<ScenFile> read_scen_file(const std::string& file, std::vector<Fault>& faults) {
+  try {
+    return Reader(file, faults).read(read_text_file(file, kMaxScenBytes));
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    return std::nullopt;
+  }
+}
+
+}  // namespace alate

@@ -1,0 +1,49 @@
+// Searches that are made for a map, kept from one query to the next.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "alate/world/world.hpp"
+#include "search/grid/bit_grid.hpp"
+
+namespace alate {
+
+/// Lends searches on the grid of a world. Those that came back are lent again while the world is the same, so that a
+/// query neither reads the map nor allocates; they keep the world alive. Any thread may borrow: each gets its own.
+template <class Search>
+class MapSearches {
+ public:
+  struct Item {
+    explicit Item(const World& w) : world(w), cells(*w.site().grid), search(cells) {}
+    Item(const Item&) = delete;
+    Item& operator=(const Item&) = delete;
+
+    World world;
+    BitGrid cells;
+    Search search;
+  };
+  using Loan = std::unique_ptr<Item>;
+
+  Loan borrow(const World& world) {
+    const std::scoped_lock lock(mutex_);
+    if (!idle_.empty() && &idle_.back()->world.site() != &world.site()) idle_.clear();
+    if (idle_.empty()) return std::make_unique<Item>(world);
+    Loan loan = std::move(idle_.back());
+    idle_.pop_back();
+    return loan;
+  }
+  void give_back(Loan loan) {
+    const std::scoped_lock lock(mutex_);
+    if (!idle_.empty() && &idle_.back()->world.site() != &loan->world.site()) idle_.clear();
+    idle_.push_back(std::move(loan));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Loan> idle_;  ///< All of one world.
+};
+
+}  // namespace alate
