@@ -47,7 +47,6 @@ Convergence bands(const MethodFigures& method) {
   std::uint64_t last = 0;
   for (const StudyRecord* record : method.records) {
     last = std::max(last, record->iterations);
-    if (record->valid && !tells_costs(*record)) return line;
   }
   std::uint64_t before = 0;
   for (std::size_t i = 0; i <= kPoints && last > 0; ++i) {
@@ -62,10 +61,14 @@ Convergence bands(const MethodFigures& method) {
 
 }  // namespace
 
+bool has_bands(const MethodFigures& method) {
+  return std::ranges::all_of(method.records, [](const auto* each) { return !each->valid || tells_costs(*each); });
+}
+
 std::string bands_svg(const Study& study, const StudyAnalysis& analysis, std::size_t budget) {
   std::vector<Convergence> lines;
   for (const MethodFigures& method : analysis.methods) {
-    if (method.budget != budget || method.planner >= kLineStyles) continue;
+    if (method.budget != budget || method.planner >= kLineStyles || !has_bands(method)) continue;
     Convergence line = bands(method);
     if (line.points.size() > 1) lines.push_back(std::move(line));
   }

@@ -120,11 +120,17 @@ class Page {
 
   std::string bands() const {
     const std::string drawings = panels(bands_svg);
-    return drawings.empty() ? ""
-                            : "<p class=\"lead\">The best route so far: the median of all runs, and the band that "
-                              "holds the middle half. Both axes are logarithmic; lines begin where every run has "
-                              "a route.</p>\n" +
-                                  drawings + key();
+    if (drawings.empty()) return {};
+    std::string left_out;
+    for (const MethodFigures& method : analysis_.methods)
+      if (method.budget == 0 && method.planner < kLineStyles && !has_bands(method))
+        left_out += (left_out.empty() ? "" : ", ") + xml_escape(method.name);
+    if (!left_out.empty())
+      left_out = fmt::format(" Left out, since their histories are not told in these costs: {}.", left_out);
+    return fmt::format(
+        "<p class=\"lead\">The best route so far: the median of all runs, and the band that holds the "
+        "middle half. Both axes are logarithmic; lines begin where every run has a route.{}</p>\n{}{}",
+        left_out, drawings, key());
   }
 
   std::string gap_time() const {

@@ -20,6 +20,9 @@ std::string box_svg(const Study& study, const StudyAnalysis& analysis, std::size
 /// not the cost.
 std::string bands_svg(const Study& study, const StudyAnalysis& analysis, std::size_t budget);
 
+/// Does the planner tell its history in the costs that count? False for one that minimises something else.
+bool has_bands(const MethodFigures& method);
+
 /// Mean gap with its confidence interval over mean planning time, budgets of one planner joined; empty without gaps.
 std::string gap_time_svg(const StudyAnalysis& analysis);
 
