@@ -73,7 +73,8 @@ void add_reproduce(CLI::App& app, Command& chosen) {
   CLI::App& command = *add_command(app, "reproduce", "Put a paper's claims to the test, with a verdict for each",
                                    "alate reproduce konatowski2019 --out out/konatowski2019");
   add_text(command, "PAPER", line->paper, fmt::format("one of: {}", fmt::join(reproducible_papers(), ", ")));
-  add_text(command, "--seeds", line->seeds, "seeds 1 to N, up to 1000 (default: 10; 20 for zhou2020, 30 for yin2021)");
+  add_text(command, "--seeds", line->seeds,
+           "seeds 1 to N, up to 1000 (default: 10; 20 for zhou2020, 30 for mai2023 and yin2021)");
   add_text(command, "--iterations", line->iterations, "iterations of colonies (default: as published)");
   add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes times only");
   add_text(command, "--data", line->data,

@@ -70,6 +70,7 @@ Cell Experiment::cell(const Trial& trial) const {
     cell.mean = summary->mean;
     cell.sd = summary->sd;
     cell.best = summary->least;
+    cell.worst = summary->greatest;
   }
   return cell;
 }

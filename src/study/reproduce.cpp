@@ -6,6 +6,7 @@
 #include "alate/core/fault.hpp"
 #include "out/output_folder.hpp"
 #include "study/konatowski2019/reproduction.hpp"
+#include "study/mai2023/reproduction.hpp"
 #include "study/yin2021/reproduction.hpp"
 #include "study/zhou2020/reproduction.hpp"
 
@@ -20,7 +21,8 @@ struct Paper {
   Reproduce reproduce;
 };
 
-constexpr std::array<Paper, 3> kPapers{{{"konatowski2019", konatowski2019::reproduce},
+constexpr std::array<Paper, 4> kPapers{{{"konatowski2019", konatowski2019::reproduce},
+                                        {"mai2023", mai2023::reproduce},
                                         {"yin2021", yin2021::reproduce},
                                         {"zhou2020", zhou2020::reproduce}}};
 

@@ -25,14 +25,9 @@ Json claim_json(const Claim& claim) {
 }
 
 Json cell_json(const Cell& cell) {
-  return {{"case", cell.case_name},
-          {"method", cell.method},
-          {"runs", cell.runs},
-          {"found", cell.found},
-          {"mean", number(cell.mean)},
-          {"sd", number(cell.sd)},
-          {"best", number(cell.best)},
-          {"lower_bound", number(cell.lower_bound)},
+  return {{"case", cell.case_name},       {"method", cell.method},       {"runs", cell.runs},
+          {"found", cell.found},          {"mean", number(cell.mean)},   {"sd", number(cell.sd)},
+          {"best", number(cell.best)},    {"worst", number(cell.worst)}, {"lower_bound", number(cell.lower_bound)},
           {"wall_s", number(cell.wall_s)}};
 }
 

@@ -42,6 +42,7 @@ struct Cell {
   std::optional<double> mean;  ///< Nothing where none did.
   std::optional<double> sd;    ///< Of the sample (n - 1); nothing below two routes.
   std::optional<double> best;
+  std::optional<double> worst;
   double lower_bound = 0;  ///< No route of the case costs less.
   double wall_s = 0;       ///< Mean of planning alone, one thread a run.
 };
@@ -59,7 +60,7 @@ struct Reproduction {
   std::vector<std::string> notes;  ///< What must be known before any figure is read, in plain sentences.
   std::vector<Claim> claims;
   std::vector<Cell> cells;
-  std::vector<Cell> details;  ///< Single cases where `cells` sum up several; in JSON only.
+  std::vector<Cell> details;  ///< Single cases where `cells` sum up several, or other measures; in JSON only.
   std::vector<Defect> defects;
   std::vector<std::pair<std::string, ParamValue>> settings;  ///< All that is needed to do it again.
   std::string page;                                          ///< reproduce.html, whole.

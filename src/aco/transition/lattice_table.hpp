@@ -68,7 +68,8 @@ class LatticeTable {
   unsigned draw(Node node, unsigned came, float uniform) const {
     const float* row = &weights_[kRow * node];
     const std::int32_t* may = may_[came].data();
-    std::array<Quad, kQuads> until;  // running sums down the rows, by lane
+    // Running sums down the rows, by lane; filled before use.
+    std::array<Quad, kQuads> until;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     until[0] = only(load<Quad>(row), load<QuadMask>(may));
     for (std::size_t i = 1; i < kQuads; ++i)
       until[i] = until[i - 1] + only(load<Quad>(row + 4 * i), load<QuadMask>(may + 4 * i));

@@ -31,7 +31,8 @@ std::vector<std::size_t> spaced_iterations(std::size_t count) {
 }
 
 /// Nothing unless every run has a route by `iteration`. A run that ended early keeps its last.
-std::optional<Convergence::Point> point_at(const Trial& trial, std::size_t after, std::size_t iteration) {
+std::optional<Convergence::Point> point_at(const Trial& trial, const std::optional<double>& given, std::size_t after,
+                                           std::size_t iteration) {
   std::vector<double> best;
   std::vector<double> mean;
   for (const StudyRun& run : trial.runs) {
@@ -39,9 +40,10 @@ std::optional<Convergence::Point> point_at(const Trial& trial, std::size_t after
     if (history.empty()) return std::nullopt;
     const IterationStats& now = history[std::min(iteration, history.size()) - 1];
     if (!now.best_so_far) return std::nullopt;
-    best.push_back(percent_above(*now.best_so_far, run.plan.lower_bound));
+    const double bound = given.value_or(run.plan.lower_bound);
+    best.push_back(percent_above(*now.best_so_far, bound));
     for (std::size_t i = after; i < std::min(iteration, history.size()); ++i)
-      if (history[i].mean) mean.push_back(percent_above(*history[i].mean, run.plan.lower_bound));
+      if (history[i].mean) mean.push_back(percent_above(*history[i].mean, bound));
   }
   const auto of_best = summarize(best);
   const auto of_mean = summarize(mean);
@@ -121,14 +123,14 @@ void draw_band(Svg& svg, const LogAxes& axes, const Convergence& line) {
 
 }  // namespace
 
-Convergence convergence(const Trial& trial, const std::string& css_class) {
+Convergence convergence(const Trial& trial, const std::string& css_class, std::optional<double> bound) {
   std::size_t iterations = 0;
   for (const StudyRun& run : trial.runs) iterations = std::max(iterations, run.plan.history.size());
   Convergence line{.css_class = css_class, .points = {}};
   if (iterations == 0) return line;
   std::size_t after = 0;
   for (const std::size_t iteration : spaced_iterations(iterations)) {
-    if (const auto point = point_at(trial, after, iteration)) line.points.push_back(*point);
+    if (const auto point = point_at(trial, bound, after, iteration)) line.points.push_back(*point);
     after = iteration;
   }
   return line;

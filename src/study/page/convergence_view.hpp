@@ -23,8 +23,8 @@ struct Convergence {
 };
 
 /// Points at iterations evenly spaced by their logarithm, from where every seed has a route; none for planners without
-/// history.
-Convergence convergence(const Trial& trial, const std::string& css_class);
+/// history. `bound`: what costs of the history cannot be below; none: the plan's lower bound.
+Convergence convergence(const Trial& trial, const std::string& css_class, std::optional<double> bound = {});
 
 /// Lowest and highest cost that diagrams show, percent above the bound.
 struct PercentRange {

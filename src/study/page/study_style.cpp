@@ -30,7 +30,11 @@ h4 { font-size: .92rem; font-weight: 600; margin: 0 0 .3rem; }
 .defects li { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .7rem 1rem; }
 .defects p { margin: .2rem 0 0; max-width: 52rem; }
 .defects .measured { color: var(--soft); }
+.notes { max-width: 52rem; margin: 0; padding-left: 1.4rem; }
+.notes li { margin: .35rem 0; }
+.study .interval { white-space: nowrap; }
 .panels { display: grid; grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); gap: 1.1rem 1rem; }
+.panels.wide { grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
 .s-way { height: 0; border-top: 4px solid var(--line); border-radius: 0; }
 .s-way.w1 { border-top-style: dashed; }
 .s-way.w2 { border-top-style: dotted; }

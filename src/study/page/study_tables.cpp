@@ -115,6 +115,12 @@ std::string study_table(const std::vector<std::string>& words, const std::vector
       heads, rows);
 }
 
+std::string notes_list(const std::vector<std::string>& notes) {
+  std::string items;
+  for (const std::string& note : notes) items += fmt::format("<li>{}</li>\n", xml_escape(note));
+  return fmt::format("<ol class=\"notes\">\n{}</ol>\n", items);
+}
+
 std::string defects_list(const std::vector<Defect>& defects) {
   std::string items;
   for (const Defect& defect : defects) {

@@ -15,6 +15,9 @@ std::string claims_table(const std::vector<Claim>& claims);
 /// One block a case; the least mean of a case is marked.
 std::string cells_table(const std::vector<Cell>& cells);
 
+/// What must be known before any figure is read, numbered.
+std::string notes_list(const std::vector<std::string>& notes);
+
 std::string defects_list(const std::vector<Defect>& defects);
 
 /// One figure of the row at the top of a page. Both are HTML already.

@@ -33,12 +33,6 @@ std::string introduction() {
       "alone.");
 }
 
-std::string notes_list(const std::vector<std::string>& notes) {
-  std::string items;
-  for (const std::string& note : notes) items += fmt::format("<li>{}</li>\n", xml_escape(note));
-  return fmt::format("<ol class=\"notes\">\n{}</ol>\n", items);
-}
-
 std::string facts(const Study& study, const Reproduction& result) {
   std::size_t drawn = 0;
   std::size_t passed_over = 0;
@@ -87,13 +81,6 @@ std::string all_runs(const Reproduction& result) {
          cells_table(result.cells);
 }
 
-constexpr std::string_view kStyle = R"css(
-.notes { max-width: 52rem; margin: 0; padding-left: 1.4rem; }
-.notes li { margin: .35rem 0; }
-.study .interval { white-space: nowrap; }
-.panels.wide { grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
-)css";
-
 }  // namespace
 
 std::string page_html(const Study& study, const Reproduction& result) {
@@ -119,7 +106,7 @@ std::string page_html(const Study& study, const Reproduction& result) {
   body += page_section("Best routes", routes(study));
   body += page_section("All runs", all_runs(result));
   body += page_section("How it was made", settings_section(result));
-  return html_page("alate: " + result.title, body, std::string(kStudyStyle) + std::string(kStyle));
+  return html_page("alate: " + result.title, body, kStudyStyle);
 }
 
 }  // namespace alate::yin2021
