@@ -57,7 +57,7 @@ SignedRank signed_rank(const std::vector<double>& differences) {
   for (std::size_t i = 0; i < signs.size(); ++i) (signs[i] > 0 ? above : below) += ranks[i];
   const std::size_t least = std::min(above, below);
   const double tail = signs.size() <= kExactPairs ? exact_lower_tail(ranks, least) : normal_lower_tail(ranks, least);
-  return {.pairs = signs.size(), .p = std::min(1.0, 2 * tail)};
+  return {.pairs = signs.size(), .below = below > above, .p = std::min(1.0, 2 * tail)};
 }
 
 std::vector<double> holm(const std::vector<double>& chances) {

@@ -11,6 +11,7 @@ namespace alate {
 /// the normal approximation with the correction for ties and continuity.
 struct SignedRank {
   std::size_t pairs = 0;  ///< Differences that are not zero.
+  bool below = false;     ///< The negative differences weigh more.
   double p = 1;           ///< That a sum of ranks so uneven comes of chance.
 };
 

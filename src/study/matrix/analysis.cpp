@@ -106,7 +106,9 @@ class Analyst {
       if (of_b[i] < of_a[i]) ++duel.second_better;
       differences.push_back(relative(of_a[i], of_b[i]));
     }
-    duel.p = signed_rank(differences).p;
+    const SignedRank test = signed_rank(differences);
+    duel.p = test.p;
+    duel.first_ahead = test.below;
     return duel;
   }
 

@@ -38,8 +38,9 @@ struct MethodDuel {
   std::size_t pairs = 0;
   std::size_t first_better = 0;
   std::size_t second_better = 0;
-  double p = 1;          ///< Before correction.
-  double corrected = 1;  ///< Holm, over all duels of the study.
+  bool first_ahead = false;  ///< By the test's ranks, which weigh how much, too.
+  double p = 1;              ///< Before correction.
+  double corrected = 1;      ///< Holm, over all duels of the study.
 };
 
 struct StudyAnalysis {
