@@ -50,6 +50,11 @@ std::vector<Parameter> lattice_parameters() {
        .max = 2,
        .help = "Most cells up or down in one move.",
        .source = "alate: unresolved in Mai et al. 2023; 2 in the teaching example it comes from"},
+  };
+}
+
+std::vector<Parameter> leg_parameters() {
+  return {
       {.name = "join",
        .default_value = word("window"),
        .choices = {"window", "any"},
@@ -176,7 +181,7 @@ std::vector<Parameter> score_parameters() {
   };
 }
 
-std::vector<Parameter> choice_parameters() {
+std::vector<Parameter> heuristic_parameters() {
   return {
       ants_parameter(4, "alate: not recovered from Mai et al. 2023"),
       iterations_parameter(200, "alate: not recovered from Mai et al. 2023"),
@@ -205,6 +210,11 @@ std::vector<Parameter> choice_parameters() {
        .choices = {"literal", "step"},
        .help = "smd: the 1 under the first root of eq. (13) is a 1, or the main step.",
        .source = "Mai et al. 2023, eq. (13) (verbatim: 1)"},
+  };
+}
+
+std::vector<Parameter> transition_parameters() {
+  return {
       alpha_parameter("Mai et al. 2023, eq. (7) (verbatim, value not recovered)"),
       {.name = "beta",
        .default_value = whole(2),
@@ -226,6 +236,11 @@ std::vector<Parameter> choice_parameters() {
            "rises to 0.8.",
        .source = "Mai et al. 2023, eq. (15) (verbatim, n from 0: ours)"},
       follow_parameter(0.3),
+  };
+}
+
+std::vector<Parameter> improvement_parameters() {
+  return {
       {.name = "local_search",
        .default_value = word("corridor"),
        .choices = {"corridor", "none"},
@@ -327,9 +342,10 @@ std::vector<Parameter> dual_parameters() {
 }  // namespace
 
 std::vector<Parameter> terrain_aco_parameters() {
-  std::vector<Parameter> all = lattice_parameters();
+  std::vector<Parameter> all;
   for (const auto& part :
-       {constraint_parameters(), score_parameters(), choice_parameters(), trail_parameters(), dual_parameters()})
+       {lattice_parameters(), leg_parameters(), constraint_parameters(), score_parameters(), heuristic_parameters(),
+        transition_parameters(), improvement_parameters(), trail_parameters(), dual_parameters()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
