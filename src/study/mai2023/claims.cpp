@@ -53,6 +53,7 @@ std::string work(const Study& study, Scene scene) {
 
 /// "Another verdict under other readings: ..."
 std::string other_readings(const Study& study, Scene scene, Measure measure, ClaimVerdict main) {
+  if (study.readings.front().trials.front().runs.empty()) return " No other reading was tried.";
   std::string words;
   for (const ClaimVerdict verdict : {ClaimVerdict::holds, ClaimVerdict::does_not_hold, ClaimVerdict::cannot_be_told}) {
     if (verdict == main) continue;
