@@ -67,6 +67,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_check(app, command);
   add_planners(app, command);
   add_reproduce(app, command);
+  add_study(app, command);
   add_generate(app, command);
   add_init(app, command);
   add_schema(app, command);

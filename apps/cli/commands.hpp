@@ -22,6 +22,7 @@ void add_plan(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_planners(CLI::App& app, Command& chosen);
 void add_reproduce(CLI::App& app, Command& chosen);
+void add_study(CLI::App& app, Command& chosen);
 void add_generate(CLI::App& app, Command& chosen);
 void add_init(CLI::App& app, Command& chosen);
 void add_schema(CLI::App& app, Command& chosen);

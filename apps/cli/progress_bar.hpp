@@ -2,15 +2,18 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "alate/core/run_context.hpp"
 
 namespace alate::cli {
 
-/// Draws on stderr once two seconds have passed, and cleans up after itself. Draws nothing if stderr is no terminal.
+/// Draws on stderr, with the time left, once two seconds have passed, and cleans up after itself. Draws nothing if
+/// stderr is no terminal.
 class ProgressBar {
  public:
-  ProgressBar();
+  /// `noun` is what an iteration is: "iteration", "run".
+  explicit ProgressBar(std::string noun = "iteration");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -18,7 +21,10 @@ class ProgressBar {
   void draw(const Progress& progress);
 
  private:
-  std::chrono::steady_clock::time_point shown_from_;
+  std::string line(const Progress& progress) const;
+
+  std::string noun_;
+  std::chrono::steady_clock::time_point started_;
   bool terminal_;
   bool drawn_ = false;
 };

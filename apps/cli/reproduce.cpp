@@ -45,7 +45,7 @@ int reproduce_paper(const ReproduceLine& line, FaultList faults) {
       require_reproducible(paper);
       return true;
     });
-  ProgressBar bar;
+  ProgressBar bar("run");
   ReproduceOptions options{.stop = interrupt.token(), .on_progress = [&bar](const Progress& p) { bar.draw(p); }};
   options.seeds = read_whole("--seeds", line.seeds, {.min = 1, .max = 1000}, faults);
   options.data = data_folder(line.data);

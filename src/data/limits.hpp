@@ -19,6 +19,13 @@ inline constexpr std::size_t kMaxPointsBytes = 268'435'456;  ///< 256 MiB of cor
 inline constexpr std::size_t kMaxPoints = 4'000'000;         ///< Correction points, start and end among them.
 inline constexpr int kMaxPointId = 99'999'999;               ///< Ids of correction points start at 0.
 
+inline constexpr std::size_t kMaxStudyScenarios = 10'000;  ///< After ranges have been written out.
+inline constexpr std::size_t kMaxStudyPlanners = 100;
+inline constexpr std::size_t kMaxStudyBudgets = 20;
+inline constexpr std::size_t kMaxStudySeeds = 100'000;
+inline constexpr std::size_t kMaxStudyRuns = 1'000'000;
+inline constexpr std::size_t kMaxStudyCells = 300'000'000;  ///< Cells and posts of all scenarios together.
+
 inline constexpr std::size_t kMaxGridBytes = 33'554'432;  ///< 32 MiB of a grid map.
 inline constexpr int kMaxGridSide = 10'000;               ///< Columns; rows.
 inline constexpr std::int64_t kMaxGridCells = 16'000'000;

@@ -56,16 +56,21 @@ Node read_tree(const std::string& text, const std::string& file, const std::vect
 
 }  // namespace
 
-Scenario parse_scenario(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
-  std::vector<Fault> faults;
-  const Node root = read_tree(text, file, overrides, faults);
+Scenario scenario_of(const Node& root, const std::string& file, std::vector<Fault>& faults) {
   Scenario scenario;
   scenario.file = file;
-  scenario.overrides = overrides;
   read_scenario(root, scenario, faults);
   name_threats(scenario.threats);
   default_climb(scenario);
   check_rules(scenario, faults);
+  return scenario;
+}
+
+Scenario parse_scenario(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
+  std::vector<Fault> faults;
+  const Node root = read_tree(text, file, overrides, faults);
+  Scenario scenario = scenario_of(root, file, faults);
+  scenario.overrides = overrides;
   if (!faults.empty()) throw_all(std::move(faults));
   return scenario;
 }

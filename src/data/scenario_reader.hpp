@@ -16,4 +16,8 @@ inline constexpr const char* kOverrideFile = "--override";
 /// keys that do not go together.
 void read_scenario(const Node& root, Scenario& scenario, std::vector<Fault>& faults);
 
+/// A scenario that stands as a map inside another document, `file`. Complete but for faults, which are as
+/// parse_scenario's.
+Scenario scenario_of(const Node& root, const std::string& file, std::vector<Fault>& faults);
+
 }  // namespace alate

@@ -55,7 +55,7 @@ class Polish {
   }
 
   void pull(const TerrainLattice& lattice, const Ant& ant, RunContext& run) const {
-    const double step = std::abs(lattice.frame().steps_m().x());
+    const double step = lattice.frame().steps_m().x();
     std::vector<Vec3> places = taut_->pull(lattice.places(ant.actions), step, run);
     const double cost = taut_->cost(places);
     if (cost < kept_->cost) *kept_ = {.places = std::move(places), .cost = cost};
@@ -100,9 +100,11 @@ class TerrainAco {
     MainDirection main = MainDirection::automatic;
     if (is("main_direction", "x")) main = MainDirection::x;
     if (is("main_direction", "y")) main = MainDirection::y;
+    if (is("main_direction", "line")) main = MainDirection::line;
     return {.main = main,
             .main_m = number("step_m"),
             .side_m = number("side_m"),
+            .side_share = main == MainDirection::line ? 0.5 : 1,
             .height_m = number("height_m"),
             .window_side = integer("window_side"),
             .window_height = integer("window_height")};

@@ -10,10 +10,10 @@ namespace {
 std::vector<Parameter> lattice_parameters() {
   return {
       {.name = "main_direction",
-       .default_value = word("auto"),
-       .choices = {"auto", "x", "y"},
-       .help = "Every move leads one step this way; auto: the longer side from start to goal.",
-       .source = "x: Mai et al. 2023, section 2 (verbatim); auto: alate"},
+       .default_value = word("line"),
+       .choices = {"line", "auto", "x", "y"},
+       .help = "Every move leads one step this way; line: straight from start to goal; auto: x or y, the longer side.",
+       .source = "x: Mai et al. 2023, section 2 (verbatim); line, auto: alate"},
       {.name = "step_m",
        .unit = "m",
        .default_value = 0.0,
@@ -26,7 +26,8 @@ std::vector<Parameter> lattice_parameters() {
        .default_value = 0.0,
        .min = 0,
        .max = 1e7,
-       .help = "Step sideways; 0: as in the main direction.",
+       .help = "Step sideways; 0: as in the main direction; along the line half of that, unless so narrow a window "
+               "leads nowhere.",
        .source = "alate: not recovered from Mai et al. 2023"},
       {.name = "height_m",
        .unit = "m",
@@ -177,7 +178,7 @@ std::vector<Parameter> score_parameters() {
 
 std::vector<Parameter> choice_parameters() {
   return {
-      ants_parameter(32, "alate: not recovered from Mai et al. 2023"),
+      ants_parameter(4, "alate: not recovered from Mai et al. 2023"),
       iterations_parameter(200, "alate: not recovered from Mai et al. 2023"),
       {.name = "heuristic",
        .default_value = word("goal-directed"),
@@ -188,7 +189,7 @@ std::vector<Parameter> choice_parameters() {
            "the textbook's, possibly that of the paper's baseline"},
       {.name = "temperature",
        .unit = "steps",
-       .default_value = 0.05,
+       .default_value = 0.3,
        .min = 0,
        .max = 1e6,
        .above_min = true,

@@ -8,7 +8,8 @@ namespace {
 
 /// What both colonies of the paper share. Of these only the lattice along x is the paper's; all numbers are ours.
 std::map<std::string, ParamValue> papers(std::map<std::string, ParamValue> values) {
-  values.merge(std::map<std::string, ParamValue>{{"join", word("any")},
+  values.merge(std::map<std::string, ParamValue>{{"main_direction", word("auto")},
+                                                 {"join", word("any")},
                                                  {"dead_ends", word("kept")},
                                                  {"safe_height_m", 100.0},
                                                  {"pitch_max_deg", 45.0},
@@ -29,7 +30,8 @@ std::map<std::string, ParamValue> papers(std::map<std::string, ParamValue> value
 
 std::vector<Preset> terrain_aco_presets() {
   return {
-      {.name = "improved", .help = "MAX-MIN Ant System for the scenario's objective, made good."},
+      {.name = "improved",
+       .help = "MAX-MIN Ant System for the scenario's objective along the straight line; good routes are pulled taut."},
       {.name = "mai2023",
        .help = "Mai et al. 2023: S M D, scheduled q0 and an update of the iteration's best path alone; parameters "
                "that the paper was not read for are ours.",

@@ -59,14 +59,25 @@ void fill(const Problem& problem, const TerrainLattice& lattice, const TerrainSe
   plan.cost = Objective(problem.world).route_cost(plan.route);
 }
 
-/// Empty after the lattice has been searched.
-std::string search_lattice(const Problem& problem, RunContext& run, const LatticeOptions& options,
-                           const TerrainSearch& search, Plan& plan) {
+struct Task {
+  const Problem& problem;
+  RunContext& run;
+  const TerrainSearch& search;
+};
+
+/// Says what is wrong; empty once there is a route. Where a narrow window leads nowhere a wide one is tried.
+std::string search_lattice(const Task& task, const LatticeOptions& options, Plan& plan) {
+  const auto& [problem, run, search] = task;
   LatticeFrame frame(problem.world, options.steps);
   if (!frame.fault().empty()) return frame.fault();
   const TerrainLattice lattice(problem.world, std::move(frame), options, run);
   if (lattice.moves().stopped()) return "stopped before any route was found";
-  if (!lattice.moves().has_way()) return no_way(lattice);
+  if (!lattice.moves().has_way()) {
+    if (options.steps.side_m > 0 || options.steps.side_share >= 1) return no_way(lattice);
+    LatticeOptions wide = options;
+    wide.steps.side_share = 1;
+    return search_lattice(task, wide, plan);
+  }
   fill(problem, lattice, search, plan);
   if (!plan.route.empty()) return "";
   if (was_stopped(run.stop())) return "stopped before any route was found";
@@ -96,7 +107,7 @@ Plan plan_over_terrain(const Problem& problem, RunContext& run, const LatticeOpt
     plan.outcome = Outcome::feasible;
     plan.route = route_over({mission.start});
   } else {
-    plan.why = search_lattice(problem, run, options, search, plan);
+    plan.why = search_lattice({problem, run, search}, options, plan);
   }
   plan.counters["iterations"] = run.iterations();
   plan.stop = run.stop();

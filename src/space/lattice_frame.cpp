@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
+#include "space/candidates.hpp"
 #include "space/straight_limits.hpp"
 
 namespace alate {
@@ -41,24 +43,35 @@ LatticeFrame::LatticeFrame(const World& world, const LatticeSteps& steps)
   if (fault_.empty()) note_moves(steps);
 }
 
-void LatticeFrame::lay_planes(const LatticeSteps& steps) {
-  constexpr double kPlanes = 50;
+/// False where no plane lies between start and goal.
+bool LatticeFrame::find_directions(MainDirection asked) {
   const Vec3 way = goal_ - start_;
   const bool x_is_longer = std::abs(way.x()) >= std::abs(way.y());
-  const bool along_x = steps.main == MainDirection::x || (steps.main == MainDirection::automatic && x_is_longer);
-  main_ = along_x ? 0 : 1;
-  const double distance = std::abs(way[main_]);
-  if (!(distance > 0)) {
-    fault_ =
-        fmt::format("start and goal have the same {}: no plane of the lattice lies between them", along_x ? "x" : "y");
+  main_ = asked;
+  if (asked == MainDirection::automatic) main_ = x_is_longer ? MainDirection::x : MainDirection::y;
+  ahead_ = Vec3(main_ == MainDirection::y ? 0 : way.x(), main_ == MainDirection::x ? 0 : way.y(), 0);
+  if (!(ahead_.norm() > 0)) return false;
+  ahead_.normalize();
+  aside_ = main_ == MainDirection::x   ? Vec3(Vec3::UnitY())
+           : main_ == MainDirection::y ? Vec3(Vec3::UnitX())
+                                       : Vec3(-ahead_.y(), ahead_.x(), 0);
+  return true;
+}
+
+void LatticeFrame::lay_planes(const LatticeSteps& steps) {
+  constexpr double kPlanes = 50;
+  if (!find_directions(steps.main)) {
+    const std::string_view same = main_ == MainDirection::x ? "x" : main_ == MainDirection::y ? "y" : "x and y";
+    fault_ = fmt::format("start and goal have the same {}: no plane of the lattice lies between them", same);
     return;
   }
+  const double distance = along(goal_ - start_).x();
   const double step = steps.main_m > 0 ? steps.main_m : distance / kPlanes;
   const double planes = std::max(1.0, std::round(distance / step));
   if (is_too_large(planes, 1)) return;
   planes_ = static_cast<int>(planes);
-  steps_m_.x() = way[main_] / planes;
-  steps_m_.y() = steps.side_m > 0 ? steps.side_m : std::abs(steps_m_.x());
+  steps_m_.x() = distance / planes;
+  steps_m_.y() = steps.side_m > 0 ? steps.side_m : steps.side_share * steps_m_.x();
 }
 
 bool LatticeFrame::is_too_large(double columns, double levels) {
@@ -71,12 +84,20 @@ bool LatticeFrame::is_too_large(double columns, double levels) {
 
 /// As far to both sides as the area and the window allow on a way that comes back in time.
 void LatticeFrame::lay_columns(const World& world) {
-  const int side = 1 - main_;
   const Box2 area = area_of(world.site());
-  const double across = (goal_ - start_)[side] / steps_m_.y();
+  double left = kInfinity;
+  double right = -kInfinity;
+  for (const double x : {area.min.x(), area.max.x()}) {
+    for (const double y : {area.min.y(), area.max.y()}) {
+      const double side = along(Vec3(x, y, 0) - start_).y() / steps_m_.y();
+      left = std::min(left, side);
+      right = std::max(right, side);
+    }
+  }
+  const double across = along(goal_ - start_).y() / steps_m_.y();
   const double spare = std::max(0.0, (window_side_ * planes_ - std::abs(across)) / 2);
-  const double low = std::max((area.min[side] - start_[side]) / steps_m_.y(), std::min(0.0, across) - spare);
-  const double high = std::min((area.max[side] - start_[side]) / steps_m_.y(), std::max(0.0, across) + spare);
+  const double low = std::max(left, std::min(0.0, across) - spare);
+  const double high = std::min(right, std::max(0.0, across) + spare);
   if (is_too_large(high - low, 1)) return;
   first_column_ = std::min(0, whole_up(low));
   columns_ = std::max(0, whole_down(high)) - first_column_ + 1;
@@ -88,7 +109,7 @@ void LatticeFrame::lay_columns(const World& world) {
 /// From the lowest ground to the ceiling; without one two levels above all ground, start and goal.
 void LatticeFrame::lay_levels(const World& world, const LatticeSteps& steps) {
   const Band& band = world.site().band;
-  const double step = std::abs(steps_m_.x());
+  const double step = steps_m_.x();
   const double climb = StraightLimits(world.site()).slope(1e9) * step / window_height_;
   double height = step / 5;
   if (climb > 0) height = std::min(height, climb);
@@ -118,10 +139,7 @@ void LatticeFrame::lay_levels(const World& world, const LatticeSteps& steps) {
 void LatticeFrame::note_moves(const LatticeSteps& steps) {
   for (int side = -steps.window_side; side <= steps.window_side; ++side) {
     for (int height = -steps.window_height; height <= steps.window_height; ++height) {
-      Vec3 leg;
-      leg[main_] = steps_m_.x();
-      leg[1 - main_] = side * steps_m_.y();
-      leg.z() = height * steps_m_.z();
+      const Vec3 leg = steps_m_.x() * ahead_ + side * steps_m_.y() * aside_ + Vec3(0, 0, height * steps_m_.z());
       shifts_.push_back({side, height, leg});
       offsets_.push_back(static_cast<std::int32_t>(plane_size()) + side * levels_ + height);
     }
@@ -147,21 +165,19 @@ std::optional<unsigned> LatticeFrame::move(int side, int height) const {
 }
 
 Vec3 LatticeFrame::position(const Place& at) const {
-  Vec3 position = start_;
-  position[main_] += at.plane * steps_m_.x();
-  position[1 - main_] += (at.side + first_column_) * steps_m_.y();
-  position.z() += (at.height + first_level_) * steps_m_.z();
-  return position;
+  return start_ + at.plane * steps_m_.x() * ahead_ + (at.side + first_column_) * steps_m_.y() * aside_ +
+         Vec3(0, 0, (at.height + first_level_) * steps_m_.z());
 }
 
 bool LatticeFrame::goal_in_window(const Vec3& from) const {
-  const Vec3 rest = (goal_ - from).cwiseAbs();
-  return rest[1 - main_] <= (window_side_ + kHair) * steps_m_.y() &&
-         rest.z() <= (window_height_ + kHair) * steps_m_.z();
+  const Vec3 rest = along(goal_ - from).cwiseAbs();
+  return rest.y() <= (window_side_ + kHair) * steps_m_.y() && rest.z() <= (window_height_ + kHair) * steps_m_.z();
 }
 
 std::string LatticeFrame::plane_name(int plane) const {
-  return fmt::format("{} {:.0f} m", main_ == 0 ? "x" : "y", start_[main_] + plane * steps_m_.x());
+  const Vec3 at = start_ + plane * steps_m_.x() * ahead_;
+  if (main_ == MainDirection::line) return fmt::format("{:.0f} m along the straight line", plane * steps_m_.x());
+  return main_ == MainDirection::x ? fmt::format("x {:.0f} m", at.x()) : fmt::format("y {:.0f} m", at.y());
 }
 
 }  // namespace alate

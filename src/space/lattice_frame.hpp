@@ -14,13 +14,15 @@
 
 namespace alate {
 
-enum class MainDirection { automatic, x, y };  ///< automatic: the longer side from start to goal.
+/// automatic: x or y, the longer side from start to goal; line: from start to goal, seen from above.
+enum class MainDirection { automatic, x, y, line };
 
 /// Metres; 0: see each.
 struct LatticeSteps {
   MainDirection main = MainDirection::automatic;
-  double main_m = 0;    ///< 0: a fiftieth of the way; rounded so that whole steps lead to the goal's plane.
-  double side_m = 0;    ///< 0: as in the main direction.
+  double main_m = 0;  ///< 0: a fiftieth of the way; rounded so that whole steps lead to the goal's plane.
+  double side_m = 0;  ///< 0: side_share of main_m.
+  double side_share = 1;
   double height_m = 0;  ///< 0: a fifth of main_m, but less where climb limits or the band ask for it.
   int window_side = 2;  ///< Cells that one move may shift sideways, and in height; 1 or 2.
   int window_height = 2;
@@ -83,14 +85,15 @@ class LatticeFrame {
   /// Step lengths along the main direction, sideways, upwards.
   const Vec3& steps_m() const { return steps_m_; }
   /// A vector by main direction, sideways, upwards.
-  Vec3 along(const Vec3& vector) const { return {vector[main_], vector[1 - main_], vector.z()}; }
+  Vec3 along(const Vec3& vector) const { return {vector.dot(ahead_), vector.dot(aside_), vector.z()}; }
   const Vec3& goal() const { return goal_; }
   /// Does the window allow the last leg, from a node of the last plane to the goal?
   bool goal_in_window(const Vec3& from) const;
-  /// The plane's coordinate, named: "x 1200 m".
+  /// Where the plane lies: "x 1200 m", "1200 m along the straight line".
   std::string plane_name(int plane) const;
 
  private:
+  bool find_directions(MainDirection asked);
   void lay_planes(const LatticeSteps& steps);
   void lay_columns(const World& world);
   void lay_levels(const World& world, const LatticeSteps& steps);
@@ -99,7 +102,9 @@ class LatticeFrame {
 
   Vec3 start_;
   Vec3 goal_;
-  int main_ = 0;  ///< Axis; the other one is sideways.
+  MainDirection main_ = MainDirection::x;  ///< Not automatic.
+  Vec3 ahead_ = Vec3::UnitX();             ///< Towards the goal, level.
+  Vec3 aside_ = Vec3::UnitY();
   int planes_ = 0;
   int columns_ = 0;
   int levels_ = 0;
@@ -107,7 +112,7 @@ class LatticeFrame {
   int first_level_ = 0;
   int window_side_ = 0;
   int window_height_ = 0;
-  Vec3 steps_m_ = Vec3::Zero();  ///< Main, side, height; the first has the sign of the way.
+  Vec3 steps_m_ = Vec3::Zero();  ///< Main, side, height.
   std::vector<Shift> shifts_;
   std::vector<std::int32_t> offsets_;
   std::vector<double> ground_;

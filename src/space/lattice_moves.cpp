@@ -110,7 +110,8 @@ void LatticeMoves::open_column(int plane, int column) {
     if (!holds(shapes_, move) || to < 0 || to >= frame_.columns()) continue;
     const Segment lowest{frame_.position({plane, column, 0}), frame_.position({plane + 1, to, shift.height})};
     const double missing = world_.site().band.clearance_m + slack_m_ - kHair_m - world_.clearance(lowest);
-    const double level = std::clamp(std::ceil(missing / frame_.steps_m().z()), 0.0, double(frame_.levels()));
+    const double level =
+        std::clamp(std::ceil(missing / frame_.steps_m().z()), 0.0, static_cast<double>(frame_.levels()));
     open_move({.plane = plane, .column = column, .move = move, .lowest = static_cast<unsigned>(level)});
   }
 }

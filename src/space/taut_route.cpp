@@ -49,7 +49,7 @@ bool TautRoute::fits(const Places& places, std::size_t corner) const {
 bool TautRoute::keeps_range(const Places& places) const { return range_m_ == kInfinity || length(places) <= range_m_; }
 
 std::vector<Vec3> TautRoute::pull(std::vector<Vec3> places, double step_m, RunContext& run) const {
-  constexpr std::array kHalvings{2.0, 1.0, 0.5};  // of `step_m`, for legs
+  constexpr std::array kHalvings{2.0, 1.0, 0.5, 0.25};  // of `step_m`, for legs
   places = drop(places, run);
   for (const double share : kHalvings) {
     if (!run.keep_going()) break;
@@ -60,45 +60,53 @@ std::vector<Vec3> TautRoute::pull(std::vector<Vec3> places, double step_m, RunCo
   return places;
 }
 
-/// The cheapest way over some of the places in order, by pairs of places in a row.
-std::vector<Vec3> TautRoute::drop(const Places& places, RunContext& run) const {
+std::vector<double> TautRoute::all_legs(const Places& places, RunContext& run) const {
   const std::size_t count = places.size();
-  std::vector<double> legs(count * count, kInfinity);  // from, to
+  std::vector<double> legs(count * count, kInfinity);
   run.executor().for_ranges(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = i + 1; j < count && run.keep_going(); ++j)
         legs[i * count + j] = leg_cost(places[i], places[j]);
   });
-  std::vector<double> until(count * count, kInfinity);  // the last leg, from, to
-  std::vector<std::size_t> before(count * count);
+  return legs;
+}
+
+/// The cheapest way over some of the places in order, by the last leg.
+std::vector<Vec3> TautRoute::drop(const Places& places, RunContext& run) const {
+  const std::size_t count = places.size();
+  const std::vector<double> legs = all_legs(places, run);
+  std::vector<Way> ways(count * count);  // that end in a leg from, to
   for (std::size_t j = 1; j < count; ++j)
-    if (limits_.allows_first(places[j] - places[0])) until[j] = legs[j];
-  for (std::size_t i = 1; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count; ++j) {
-      if (!(legs[i * count + j] < kInfinity)) continue;
-      for (std::size_t h = 0; h < i; ++h) {
-        const double sum = until[h * count + i] + legs[i * count + j];
-        if (!(sum < until[i * count + j]) || !limits_.allows_corner(places[i] - places[h], places[j] - places[i]))
-          continue;
-        until[i * count + j] = sum;
-        before[i * count + j] = h;
-      }
-    }
-  }
+    if (limits_.allows_first(places[j] - places[0])) ways[j].cost = legs[j];
+  for (std::size_t i = 1; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (legs[i * count + j] < kInfinity) ways[i * count + j] = way_over(places, ways, {i, j}, legs[i * count + j]);
   std::size_t to = count - 1;
   std::size_t from = 0;
   for (std::size_t i = 1; i < to; ++i)
-    if (until[i * count + to] < until[from * count + to]) from = i;
-  if (!(until[from * count + to] <= cost(places)) || !run.keep_going()) return places;
+    if (ways[i * count + to].cost < ways[from * count + to].cost) from = i;
+  if (!(ways[from * count + to].cost <= cost(places)) || !run.keep_going()) return places;
   Places left{places[to]};
   while (to != 0) {
     left.push_back(places[from]);
-    const std::size_t first = before[from * count + to];
-    to = from;
-    from = first;
+    to = std::exchange(from, ways[from * count + to].before);
   }
   std::ranges::reverse(left);
   return keeps_range(left) ? left : places;
+}
+
+/// The cheapest of the ways that end in a leg, which itself costs so much.
+TautRoute::Way TautRoute::way_over(const Places& places, const std::vector<Way>& ways, std::array<std::size_t, 2> leg,
+                                   double leg_cost) const {
+  const auto [from, to] = leg;
+  const std::size_t count = places.size();
+  Way best;
+  for (std::size_t before = 0; before < from; ++before) {
+    const double sum = ways[before * count + from].cost + leg_cost;
+    if (sum < best.cost && limits_.allows_corner(places[from] - places[before], places[to] - places[from]))
+      best = {.cost = sum, .before = before};
+  }
+  return best;
 }
 
 /// Legs in equal pieces no longer than that, where those are free, too (what bounds a leg's clearance may bound that of

@@ -6,6 +6,7 @@
 // Lewis, Torczon 2003). Nothing is lost: the result is never dearer.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "alate/core/run_context.hpp"
@@ -27,12 +28,21 @@ class TautRoute {
 
  private:
   using Places = std::vector<Vec3>;
+  /// To the end of some leg, and where the leg before that begins.
+  struct Way {
+    double cost = kInfinity;
+    std::size_t before = 0;
+  };
 
   /// Cost of a leg that may be flown by itself; infinite of any other.
   double leg_cost(const Vec3& from, const Vec3& to) const;
   bool fits(const Places& places, std::size_t corner) const;
   bool keeps_range(const Places& places) const;
 
+  /// Costs of legs between all places, by from and to.
+  std::vector<double> all_legs(const Places& places, RunContext& run) const;
+  Way way_over(const Places& places, const std::vector<Way>& ways, std::array<std::size_t, 2> leg,
+               double leg_cost) const;
   Places drop(const Places& places, RunContext& run) const;
   Places halve(const Places& places, double longest_m) const;
   void relax(Places& places, double step_m, RunContext& run) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <mutex>
 #include <utility>
 
 namespace alate {
@@ -27,36 +26,11 @@ std::vector<Task> tasks_of(const std::vector<Experiment*>& experiments) {
 }
 
 void run_task(const Task& task, const std::stop_token& stop) {
-  Executor alone(1);
-  RunContext context(alone, {.iterations = task.method->iterations, .seed = task.run->seed, .stop = stop});
   Problem problem(task.problem->world);
   problem.front = task.method->front;
-  Plan plan = task.planner->planner.plan(problem, context);
-  task.run->wall_s = context.elapsed_s();
-  task.run->metrics = measure(task.problem->site(), plan.route);
-  task.run->passed = !plan.route.empty() && check(task.problem->site(), plan.route).ok();
-  if (!task.method->keep_routes) plan.route = {};
-  // A copy: what was allotted while the planner held its tables lies between them, and would keep their room from use.
-  task.run->plan = std::as_const(plan);
+  *task.run = run_once(task.planner->planner, problem,
+                       {.iterations = task.method->iterations, .seed = task.run->seed, .stop = stop});
 }
-
-/// Counts finished runs and tells the sink.
-class Counter {
- public:
-  Counter(std::size_t total, const std::function<void(const Progress&)>& sink) : total_(total), sink_(sink) {}
-
-  void finish_one() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (sink_) sink_({.iteration = done_, .fraction = static_cast<double>(done_) / static_cast<double>(total_)});
-  }
-
- private:
-  std::size_t total_;
-  const std::function<void(const Progress&)>& sink_;
-  std::mutex mutex_;
-  std::uint64_t done_ = 0;
-};
 
 }  // namespace
 
@@ -125,14 +99,11 @@ Experiment plan_experiment(std::vector<StudyCase> cases, std::vector<StudyMethod
 
 bool run_experiments(const std::vector<Experiment*>& experiments, Executor& executor, const ReproduceOptions& options) {
   const std::vector<Task> tasks = tasks_of(experiments);
-  Counter counter(tasks.size(), options.on_progress);
-  executor.for_ranges(tasks.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !options.stop.stop_requested(); ++i) {
-      run_task(tasks[i], options.stop);
-      counter.finish_one();
-    }
-  });
-  return !options.stop.stop_requested();
+  return run_all({.count = tasks.size(),
+                  .run = [&](std::size_t i) { run_task(tasks[i], options.stop); },
+                  .stop = options.stop,
+                  .on_progress = options.on_progress},
+                 executor);
 }
 
 }  // namespace alate

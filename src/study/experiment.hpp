@@ -1,9 +1,7 @@
 // Methods tried on cases over seeds.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "alate/check/check.hpp"
 #include "alate/plan/registry.hpp"
 #include "alate/study/reproduce.hpp"
+#include "study/run_loop.hpp"
 #include "study/statistics.hpp"
 
 namespace alate {
@@ -29,14 +28,6 @@ struct StudyMethod {
   std::optional<std::uint64_t> iterations;  ///< None: the planner's default.
   bool front = false;                       ///< Ask for the whole Pareto front.
   bool keep_routes = true;                  ///< False where there are many runs: measured, checked, and dropped.
-};
-
-struct StudyRun {
-  std::uint64_t seed = 0;
-  Plan plan;
-  Metrics metrics;
-  bool passed = false;  ///< There is a route and nothing is wrong with it.
-  double wall_s = 0;    ///< Planning alone.
 };
 
 /// All runs of one method on one case, by seed.

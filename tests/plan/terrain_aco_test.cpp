@@ -87,7 +87,7 @@ TEST(TerrainAco, SaysWhereAClosedWallEndsTheLattice) {
   const Plan plan = fly(test::ridge_site(false), {.name = "terrain-aco"});
   EXPECT_EQ(plan.outcome, Outcome::none_found);
   EXPECT_TRUE(plan.route.empty());
-  EXPECT_NE(plan.why.find("at x 4520 m"), std::string::npos) << plan.why;
+  EXPECT_NE(plan.why.find("at 3520 m along the straight line"), std::string::npos) << plan.why;
 }
 
 TEST(TerrainAco, OneStepIsEnoughForAShortWay) {
@@ -111,7 +111,7 @@ TEST(TerrainAco, SaysThatNoPlaneLiesBetween) {
   site.mission.goal = site.mission.start + Vec3(0, 0, 300);
   const Plan plan = fly(site, {.name = "terrain-aco"});
   EXPECT_EQ(plan.outcome, Outcome::none_found);
-  EXPECT_NE(plan.why.find("same x"), std::string::npos) << plan.why;
+  EXPECT_NE(plan.why.find("same x and y"), std::string::npos) << plan.why;
 }
 
 TEST(TerrainAco, TellsDeadEndsAndTheLastChange) {

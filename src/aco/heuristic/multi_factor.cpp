@@ -22,23 +22,24 @@ MultiFactor::MultiFactor(const GridSpace& space, const MultiFactorRule& rule)
   note_neighbours();
 }
 
-/// Eq. (2): r_ij [C], weights theta and 1 - theta [R].
+/// Eq. (2): r_ij [C], weights theta and 1 - theta [R]. `count`: n_i.
+double MultiFactor::safety(unsigned came, unsigned count, unsigned direction) const {
+  const bool first = came == GridSpace::kNoDirection;
+  if (first && rule_.first_move == MultiFactorRule::FirstMove::shared) return rule_.u / count;
+  return first || direction == came ? rule_.theta * rule_.u : (1 - rule_.theta) * rule_.u / count;
+}
+
+/// With 1/d, the other factor of eq. (12) that does not depend on the place.
 void MultiFactor::note_safety() {
   const bool is_sum = rule_.join == MultiFactorRule::Join::sum;
-  for (unsigned came = 0; came <= kRow; ++came) {
-    const bool first = came == GridSpace::kNoDirection;
-    const bool shared = first && rule_.first_move == MultiFactorRule::FirstMove::shared;
-    for (unsigned count = 1; count <= kRow; ++count) {
-      for (unsigned d = 0; d < kRow; ++d) {
-        const bool straight = d == came || first;
-        const double r = shared     ? rule_.u / count
-                         : straight ? rule_.theta * rule_.u
-                                    : (1 - rule_.theta) * rule_.u / count;
-        const double step = 1 / space_.step(d);
-        const double joined = is_sum ? r + (rule_.step_factor ? step : 0) : r * (rule_.step_factor ? step : 1);
-        safety_[came][count][d] = static_cast<float>(joined);
+  for (unsigned d = 0; d < kRow; ++d) {
+    const double neutral = is_sum ? 0 : 1;
+    const double step = rule_.step_factor ? 1 / space_.step(d) : neutral;
+    for (unsigned came = 0; came <= kRow; ++came)
+      for (unsigned count = 1; count <= kRow; ++count) {
+        const double r = safety(came, count, d);
+        safety_[came][count][d] = static_cast<float>(is_sum ? r + step : r * step);
       }
-    }
   }
 }
 

@@ -73,6 +73,7 @@ class MultiFactor {
 
   Members feasible(const GridStands& at) const;
   static Range range(const MoveLanes& values, const Members& members);
+  double safety(unsigned came, unsigned count, unsigned direction) const;
   MoveLanes safety(const GridStands& at, const Members& members) const;
   MoveLanes eta(const GridStands& at, const Members& members) const;
 
@@ -113,7 +114,7 @@ class MultiFactor {
 [[gnu::always_inline]] inline MoveLanes MultiFactor::safety(const GridStands& at, const Members& members) const {
   LaneBits count{};
   for (const LaneBits& member : members) count -= member;
-  std::array<const float*, kAntLanes> rows;
+  std::array<const float*, kAntLanes> rows{};
   for (std::size_t i = 0; i < kAntLanes; ++i) rows[i] = safety_[at.came[i]][static_cast<std::size_t>(count[i])].data();
   return load_rows(rows);
 }

@@ -19,7 +19,7 @@ AlignedFloats terrain_factor_table(const TerrainLattice& lattice, const TerrainF
   constexpr double kKm = 1000;
   const LatticeFrame& frame = lattice.frame();
   const bool in_km = rule.unit == TerrainFactorRule::Unit::km;
-  const Vec3 unit = in_km ? Vec3(kKm, kKm, kKm) : Vec3(frame.steps_m().cwiseAbs());
+  const Vec3 unit = in_km ? Vec3(kKm, kKm, kKm) : frame.steps_m();
   const auto factors = [&](TerrainLattice::Node /*node*/, const Vec3& to, unsigned move) {
     const Vec3 step = frame.along(frame.shifts()[move].leg).cwiseQuotient(unit);
     const Vec3 rest = frame.along(frame.goal() - to).cwiseQuotient(unit);

@@ -8,7 +8,7 @@ namespace alate {
 std::array<StoredTrail, LatticeCells::kRow> LatticeCells::row(Node node, unsigned moves) const {
   std::array<StoredTrail, kRow> row{};
   if (on_ == On::edges) {
-    std::copy_n(&stored_[kRow * node], kRow, row.begin());
+    std::copy_n(&stored_[std::size_t{kRow} * node], kRow, row.begin());
     return row;
   }
   for (; moves != 0; moves &= moves - 1) {

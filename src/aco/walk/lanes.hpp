@@ -98,8 +98,9 @@ struct GridStands {
 
   /// Rows of eight by cell.
   MoveLanes load(const AlignedFloats& table) const {
-    std::array<const float*, kAntLanes> rows;
-    for (std::size_t i = 0; i < kAntLanes; ++i) rows[i] = &table[GridSpace::kDirections * cell[i]];
+    constexpr std::size_t kRow = GridSpace::kDirections;
+    std::array<const float*, kAntLanes> rows{};
+    for (std::size_t i = 0; i < kAntLanes; ++i) rows[i] = &table[kRow * cell[i]];
     return load_rows(rows);
   }
 };

@@ -1,0 +1,68 @@
+// The tables of a study.
+#include <fmt/core.h>
+
+#include "alate/data/height_grid.hpp"
+#include "alate/study/study.hpp"
+#include "out/text.hpp"
+#include "study/matrix/optimum.hpp"
+
+namespace alate {
+
+namespace {
+
+/// Quoted where a reader of CSV would take it for more than one cell, and never a formula.
+std::string cell(const std::string& text) {
+  const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+  std::string shown = formula ? "'" + text : text;
+  if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
+  std::string quoted;
+  for (const char c : shown) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return fmt::format("\"{}\"", quoted);
+}
+
+/// scenario,planner,preset,seed,budget
+std::string job_cells(const Study& study, const StudyJob& job) {
+  const StudyPlanner& planner = study.planners[job.planner];
+  return fmt::format("{},{},{},{},{}", cell(study.scenarios[job.scenario].name), cell(planner.name),
+                     cell(planner.preset), job.seed, study.budgets[job.budget].text());
+}
+
+/// length,height_dev,turns,composite
+std::string size_cells(const StudyRecord& record) {
+  if (!record.has_route()) return ",,,";
+  if (!record.grid) return round_trip(record.length_m) + ",,,";
+  return fmt::format("{},{},{},{}", round_trip(record.length_m), round_trip(record.grid->height_deviation_m),
+                     record.grid->turns, round_trip(composite_index(*record.grid)));
+}
+
+std::string row(const Study& study, const StudyJob& job, const StudyRecord& record, const Optima& optima) {
+  const auto optimum = optima.of(job);
+  const std::string cost = record.has_route() ? round_trip(record.cost) : "";
+  const std::string last = record.improvements.empty() ? "" : std::to_string(record.improvements.back().first);
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", job_cells(study, job), to_string(record.outcome), cost,
+                     size_cells(record), last, round_trip(record.lower_bound), round_trip(optimum),
+                     round_trip(gap_of(record, optimum)), record.valid);
+}
+
+}  // namespace
+
+std::string rows_csv(const Study& study, const StudyRecords& records) {
+  const Optima optima(study, records);
+  std::string text =
+      "scenario,planner,preset,seed,budget,outcome,cost,length,height_dev,turns,composite,last_change,lower_bound,"
+      "optimum,gap,valid\n";
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (records[i] && !study.jobs[i].reference) text += row(study, study.jobs[i], *records[i], optima);
+  return text;
+}
+
+std::string times_csv(const Study& study, const StudyRecords& records) {
+  std::string text = "scenario,planner,preset,seed,budget,wall_s\n";
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (!records[i] || study.jobs[i].reference) continue;
+    text += fmt::format("{},{}\n", job_cells(study, study.jobs[i]), round_trip(records[i]->wall_s));
+  }
+  return text;
+}
+
+}  // namespace alate

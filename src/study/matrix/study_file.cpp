@@ -1,0 +1,126 @@
+// Reads a study and lays out its runs.
+#include <fmt/core.h>
+
+#include "alate/core/version.hpp"
+#include "alate/data/scenario_file.hpp"
+#include "alate/study/study.hpp"
+#include "data/limits.hpp"
+#include "data/scenario_text.hpp"
+#include "study/matrix/checksum.hpp"
+#include "study/matrix/study_parts.hpp"
+
+namespace alate {
+
+namespace {
+
+Node read_root(const std::string& file, std::string& text, StudyFaults& faults) {
+  text = read_scenario_text(file, faults.all());
+  faults.throw_if_any();
+  check_scenario_text(text, file, faults.all());
+  faults.throw_if_any();
+  Node root = parse_document(text, file, faults.all());
+  if (root.kind == Node::Kind::map) return root;
+  if (root.kind != Node::Kind::broken)
+    faults.report(root.place, {.message = "a study is a group of keys: scenarios, planners, seeds, budgets"});
+  faults.throw_if_any();
+  return root;
+}
+
+/// A planner must serve every scenario; one fault a planner, with the first refusal.
+void check_refusals(const std::vector<PlannerItem>& planners, const std::vector<StudyScenario>& scenarios,
+                    StudyFaults& faults) {
+  for (const PlannerItem& item : planners) {
+    std::size_t refused = 0;
+    Fault first;
+    for (const StudyScenario& scenario : scenarios) {
+      const std::string refusal = item.entry->refuses(Problem(scenario.world));
+      if (refusal.empty()) continue;
+      if (++refused == 1)
+        first = {.field = item.field + ".name",
+                 .message = fmt::format("{} cannot plan {}: it {}", item.planner.name, scenario.name, refusal)};
+    }
+    if (refused > 1) first.message += fmt::format(" (and it refuses {} more scenarios)", refused - 1);
+    if (refused > 0) faults.report(item.place, std::move(first));
+  }
+}
+
+bool read_reference(const Node* node, StudyFaults& faults) {
+  if (node == nullptr || !faults.is_word(*node, "reference")) return false;
+  if (node->text == "exact") return true;
+  if (node->text != "none")
+    faults.report(node->place,
+                  {.field = "reference", .value = node->text, .limit = "exact | none", .message = "unknown word"});
+  return false;
+}
+
+/// Every exact planner of the registry on every scenario that it serves, once.
+void add_references(Study& study, const Registry& registry) {
+  for (const PlannerEntry& entry : registry.entries()) {
+    if (!entry.can.exact) continue;
+    std::vector<Fault> none;
+    const Preset& preset = entry.presets.front();
+    const std::size_t index = study.references.size();
+    study.references.push_back({.name = entry.name,
+                                .preset = preset.name,
+                                .space = entry.can.space,
+                                .chance = !entry.can.deterministic,
+                                .planner = entry.make(entry.parameters.resolve(preset.values, {}, none))});
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+      if (entry.refuses(Problem(study.scenarios[s].world)).empty())
+        study.jobs.push_back({.scenario = s, .planner = index, .reference = true});
+    }
+  }
+}
+
+void add_jobs(Study& study, const std::vector<std::uint64_t>& seeds) {
+  for (std::size_t s = 0; s < study.scenarios.size(); ++s)
+    for (std::size_t p = 0; p < study.planners.size(); ++p)
+      for (std::size_t b = 0; b < study.budgets.size(); ++b)
+        for (std::size_t i = 0; i < (study.planners[p].chance ? seeds.size() : 1); ++i)
+          study.jobs.push_back({.scenario = s, .planner = p, .budget = b, .seed = seeds[i]});
+}
+
+std::string fingerprint_of(const Study& study, const std::string& text) {
+  std::string all = std::string(version()) + "\n" + text;
+  for (const StudyScenario& scenario : study.scenarios) all += to_yaml(scenario.world.site().scenario);
+  return checksum(all);
+}
+
+}  // namespace
+
+Study load_study(const std::string& file, const Registry& registry) {
+  StudyFaults faults(file);
+  std::string text;
+  const Node root = read_root(file, text, faults);
+  faults.check_keys(root, "", {"scenarios", "planners", "seeds", "budgets", "reference"});
+
+  Study study{.file = file};
+  std::vector<PlannerItem> planners;
+  std::vector<std::uint64_t> seeds{kDefaultSeed};
+  study.budgets.emplace_back();
+  if (const Node* list = root.find("scenarios"); faults.is_list(list, root, "scenarios", kMaxStudyScenarios))
+    study.scenarios = read_study_scenarios(*list, faults);
+  if (const Node* list = root.find("planners"); faults.is_list(list, root, "planners", kMaxStudyPlanners))
+    planners = read_study_planners(*list, registry, faults);
+  if (const Node* node = root.find("seeds"); node != nullptr) seeds = read_study_seeds(*node, faults);
+  if (const Node* list = root.find("budgets");
+      list != nullptr && faults.is_list(list, root, "budgets", kMaxStudyBudgets))
+    study.budgets = read_study_budgets(*list, faults);
+  const bool exact = read_reference(root.find("reference"), faults);
+  check_refusals(planners, study.scenarios, faults);
+  const std::size_t runs = study.scenarios.size() * planners.size() * study.budgets.size() * seeds.size();
+  if (runs > kMaxStudyRuns)
+    faults.report(root.place, {.value = fmt::format("{}", runs),
+                               .limit = fmt::format("{}", kMaxStudyRuns),
+                               .unit = "runs",
+                               .message = "the study asks for too many runs"});
+  faults.throw_if_any();
+
+  for (PlannerItem& item : planners) study.planners.push_back(std::move(item.planner));
+  add_jobs(study, seeds);
+  if (exact) add_references(study, registry);
+  study.fingerprint = fingerprint_of(study, text);
+  return study;
+}
+
+}  // namespace alate

@@ -1,0 +1,52 @@
+#include "study/run_loop.hpp"
+
+#include <mutex>
+
+namespace alate {
+
+namespace {
+
+/// Counts finished runs and tells the sink.
+class Counter {
+ public:
+  explicit Counter(const RunLoop& loop) : loop_(loop) {}
+
+  void finish_one() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (!loop_.on_progress) return;
+    loop_.on_progress({.iteration = done_, .fraction = static_cast<double>(done_) / static_cast<double>(loop_.count)});
+  }
+
+ private:
+  const RunLoop& loop_;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0;
+};
+
+}  // namespace
+
+StudyRun run_once(const Planner& planner, const Problem& problem, RunOptions options) {
+  Executor alone(1);
+  StudyRun run{.seed = options.seed};
+  RunContext context(alone, std::move(options));
+  run.plan = planner.plan(problem, context);
+  run.wall_s = context.elapsed_s();
+  const Site& site = problem.world.site();
+  run.metrics = measure(site, run.plan.route);
+  run.passed = !run.plan.route.empty() && check(site, run.plan.route).ok();
+  return run;
+}
+
+bool run_all(const RunLoop& loop, Executor& executor) {
+  Counter counter(loop);
+  executor.for_ranges(loop.count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !loop.stop.stop_requested(); ++i) {
+      loop.run(i);
+      counter.finish_one();
+    }
+  });
+  return !loop.stop.stop_requested();
+}
+
+}  // namespace alate
