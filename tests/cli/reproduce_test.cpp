@@ -2,6 +2,7 @@
 #include <csignal>
 #include <thread>
 
+#include "out/xml_balance.hpp"
 #include "program.hpp"
 #include "support/shared_data.hpp"
 
@@ -74,6 +75,25 @@ TEST(Reproduce, TestsClaimsOnDrawnMaps) {
   EXPECT_EQ(json.at("claims").size(), 13U);
   for (const Json& claim : json.at("claims")) EXPECT_FALSE(claim.at("why").get<std::string>().empty());
   EXPECT_TRUE(json.at("settings").contains("maps_30x30"));
+}
+
+TEST(Reproduce, TestsClaimsOverTerrain) {
+  const TempFolder folder;
+  const Finished done =
+      alate({"reproduce", "mai2023", "--seeds", "1", "--iterations", "12", "--out", folder.path().string()});
+  EXPECT_EQ(done.code, 0) << done.err;
+  expect_contains(done.out, {"no percentage of improvement is known", "fitness-simple"});
+  const std::string page = read_file(folder / "reproduce.html");
+  EXPECT_EQ(xml_fault(page), "");
+  expect_contains(page, {"Simple scene", "A third scene, ours", "Their heights", "Every reading", "q0 jumps"});
+  const Json json = Json::parse(read_file(folder / "reproduce.json"));
+  EXPECT_EQ(json.at("claims").size(), 9U);
+  EXPECT_EQ(json.at("claims").back().at("verdict"), "cannot_be_told") << "the complex terrain is not known";
+  for (const Json& claim : json.at("claims")) EXPECT_FALSE(claim.at("why").get<std::string>().empty());
+  for (const Json& cell : json.at("details")) {
+    if (cell.at("best").is_null() || cell.at("method") == "improved") continue;
+    EXPECT_GE(cell.at("best").get<double>(), cell.at("lower_bound").get<double>() - 1e-4) << cell.dump();
+  }
 }
 
 TEST(Reproduce, NeedsAPaper) {

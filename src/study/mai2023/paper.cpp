@@ -64,8 +64,9 @@ std::vector<Setting> operator+(std::vector<Setting> first, const std::vector<Set
 }
 
 /// The lattice and the score of the paper's preset.
-const std::vector<Setting> kPapersScore{{"fitness", "paper"},    {"join", "any"},        {"safe_height_m", "100"},
-                                        {"pitch_max_deg", "45"}, {"turn_max_deg", "60"}, {"ants", "30"}};
+const std::vector<Setting> kPapersScore{
+    {"fitness", "paper"},     {"main_direction", "auto"}, {"polish", "none"},     {"join", "any"},
+    {"safe_height_m", "100"}, {"pitch_max_deg", "45"},    {"turn_max_deg", "60"}, {"ants", "30"}};
 
 }  // namespace
 

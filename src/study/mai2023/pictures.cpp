@@ -60,7 +60,7 @@ std::string key_item(const std::string& css_class, const std::string& name) {
 constexpr double kKm = 1000;
 constexpr double kWidth = 420;
 constexpr double kHeight = 250;
-const PlotArea kArea{.corner = {52, 34}, .size = {350, 156}};
+const PlotArea kArea{.corner = {72, 34}, .size = {330, 156}};
 
 struct HeightRange {
   double from = 0;

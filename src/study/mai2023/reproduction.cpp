@@ -13,7 +13,8 @@ namespace {
 
 RunSettings settings(const Study& study, const ReproduceOptions& options, int threads) {
   RunSettings all = run_settings(options.seeds.value_or(kSeeds), threads);
-  all.emplace_back("seeds_of_readings", fmt::format("1 to {}", reading_seeds(options)));
+  all.emplace_back("seeds_of_readings",
+                   reading_seeds(options) == 0 ? "none" : fmt::format("1 to {}", reading_seeds(options)));
   all.emplace_back("confidence", std::string("95 %, percentile bootstrap over the runs, 2000 samples"));
   for (const Scene scene : kScenes)
     all.emplace_back(fmt::format("least_fitness_{}", kSceneNames[scene]), study.optimum[scene].fitness);

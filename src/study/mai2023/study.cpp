@@ -1,7 +1,5 @@
 #include "study/mai2023/study.hpp"
 
-#include <algorithm>
-
 #include "alate/data/scenario_file.hpp"
 
 namespace alate::mai2023 {
@@ -21,7 +19,7 @@ std::vector<StudyCase> cases(const char* combine) {
 }  // namespace
 
 std::uint64_t reading_seeds(const ReproduceOptions& options) {
-  return std::max<std::uint64_t>(1, options.seeds.value_or(kSeeds) / kSeedsToReadings);
+  return options.seeds.value_or(kSeeds) / kSeedsToReadings;
 }
 
 Study plan_study(const ReproduceOptions& options) {

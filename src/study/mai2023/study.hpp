@@ -19,7 +19,7 @@ struct Study {
 /// Nothing run yet.
 Study plan_study(const ReproduceOptions& options);
 
-/// Seeds of the readings but the first.
+/// Seeds of the readings but the first; below three of the main runs there are none.
 std::uint64_t reading_seeds(const ReproduceOptions& options);
 
 }  // namespace alate::mai2023

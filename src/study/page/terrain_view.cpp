@@ -167,7 +167,8 @@ svg .s6 { color: color-mix(in srgb, var(--ground) 70%, #fffaf0); }
 svg .s7 { color: color-mix(in srgb, var(--ground) 54%, #fffaf0); }
 svg .s8 { color: color-mix(in srgb, var(--ground) 38%, #fffaf0); }
 svg .over { stroke: var(--line); stroke-width: 4; stroke-linecap: round; }
-svg .over.w1 { stroke-linecap: butt; }
+svg .over.w1 { stroke-linecap: butt; stroke-dasharray: 8 4; }
+svg .over.w2 { stroke-dasharray: 1 7; stroke-width: 5; }
 )css";
 
 }  // namespace alate
