@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum Column : std::size_t { bucket, map, width, height, start_x, start_y, goal_x, goal_y, optimum, kColumns };
+enum Column : std::size_t { bucket, map, width, height, start_x, start_y, goal_x, goal_y, optimum };
+constexpr std::size_t kColumns = optimum + 1;
 constexpr std::array<const char*, kColumns> kNames{"bucket",  "map",    "width",  "height",        "start x",
                                                    "start y", "goal x", "goal y", "optimal length"};
 
@@ -153,7 +154,7 @@ void Reader::read_row() {
   split();
   if (count_ != kColumns) {
     refuse({.value = fmt::format("{}", count_),
-            .limit = fmt::format("{}", std::size_t{kColumns}),
+            .limit = fmt::format("{}", kColumns),
             .message = "wrong number of columns: bucket, map, width, height, start x and y, goal x and y, length"});
     return;
   }
