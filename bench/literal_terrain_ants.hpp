@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -35,7 +36,6 @@ class LiteralTerrainAnt {
   static constexpr double kAlpha = 1;
   static constexpr double kBeta = 2;
   static constexpr double kLevel = 0.2;
-  static constexpr double kPi = 3.14159265358979;
   struct Node {
     int x, y, level;
   };
@@ -53,11 +53,11 @@ class LiteralTerrainAnt {
     if (to.level * kLevel < ground_[index(to.x)][index(to.y)] + 0.1) return false;  // eq. (11)
     const double dy = to.y - at.y;
     const double pitch = std::atan(std::abs(to.level - at.level) * kLevel / std::sqrt(1 + dy * dy));
-    if (pitch > 45 * kPi / 180) return false;  // eq. (5)
+    if (pitch > 45 * std::numbers::pi / 180) return false;  // eq. (5)
     if (path_.size() < 2) return true;
     const double before = at.y - path_[path_.size() - 2].y;
     const double cosine = (1 + before * dy) / (std::sqrt(1 + before * before) * std::sqrt(1 + dy * dy));
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) <= 60 * kPi / 180;  // eq. (6)
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) <= 60 * std::numbers::pi / 180;  // eq. (6)
   }
 
   /// S M D, eqs. (11)-(13).

@@ -28,8 +28,6 @@ class Reader {
 
  private:
   void refuse(Fault fault) { faults_.add(std::move(fault)); }
-  /// False at the end of the file. Lines of blanks are passed over.
-  bool next_line();
   bool is_text(std::string_view text);
   void read_header();
   void read_key(std::string_view key, std::string_view value);
@@ -39,26 +37,12 @@ class Reader {
   void judge_size();
 
   FileFaults faults_;
-  std::string_view rest_;
-  std::string_view line_;
-  int number_ = 0;  ///< Of the line.
-  int rows_ = 0;    ///< Read so far.
+  TextLines lines_;
+  int rows_ = 0;  ///< Read so far.
   bool headed_ = false;
   bool sized_ = true;
   HeightGrid grid_;
 };
-
-bool Reader::next_line() {
-  while (!rest_.empty()) {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    ++number_;
-    line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
-    if (!line_.empty()) return true;
-  }
-  return false;
-}
 
 bool Reader::is_text(std::string_view text) {
   const auto binary = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || is_control(c); };
@@ -76,7 +60,7 @@ void Reader::read_side(std::string_view key, std::string_view value, int& side) 
   const auto [stopped, error] = std::from_chars(std::to_address(value.begin()), end, side);
   if (stopped == end && error == std::errc{} && side >= 1 && side <= kMaxGridSide) return;
   sized_ = false;
-  refuse({.line = number_,
+  refuse({.line = lines_.number,
           .column = static_cast<int>(key.size()) + 2,
           .field = std::string(key),
           .value = shortened(std::string(value)),
@@ -89,22 +73,22 @@ void Reader::read_key(std::string_view key, std::string_view value) {
   if (key == "height") return read_side(key, value, grid_.rows);
   if (key == "width") return read_side(key, value, grid_.columns);
   if (key == "type" && value == "octile") return;
-  refuse({.line = number_,
+  refuse({.line = lines_.number,
           .column = 1,
-          .value = shortened(std::string(line_)),
+          .value = shortened(std::string(lines_.line)),
           .limit = "type octile | height N | width N | map",
           .message = "unknown line of the header"});
 }
 
 void Reader::read_header() {
-  const auto is_row = [&] { return line_.find_first_not_of(kLetters) == std::string_view::npos; };
-  bool more = next_line();
-  for (; more && line_ != "map" && !is_row(); more = next_line()) {
-    const std::size_t blank = line_.find(' ');
-    read_key(line_.substr(0, blank), blank == std::string_view::npos ? "" : line_.substr(blank + 1));
+  const auto is_row = [&] { return lines_.line.find_first_not_of(kLetters) == std::string_view::npos; };
+  bool more = lines_.next();
+  for (; more && lines_.line != "map" && !is_row(); more = lines_.next()) {
+    const std::size_t blank = lines_.line.find(' ');
+    read_key(lines_.line.substr(0, blank), blank == std::string_view::npos ? "" : lines_.line.substr(blank + 1));
   }
-  headed_ = more && line_ == "map";
-  if (!headed_) refuse({.line = number_, .limit = "map", .message = "the last line of the header is missing"});
+  headed_ = more && lines_.line == "map";
+  if (!headed_) refuse({.line = lines_.number, .limit = "map", .message = "the last line of the header is missing"});
 }
 
 void Reader::judge_size() {
@@ -122,32 +106,32 @@ void Reader::judge_size() {
 }
 
 void Reader::read_row() {
-  if (line_.size() != static_cast<std::size_t>(grid_.columns)) {
-    refuse({.line = number_,
-            .column = static_cast<int>(std::min(line_.size(), static_cast<std::size_t>(grid_.columns))) + 1,
-            .value = fmt::format("{}", line_.size()),
+  if (lines_.line.size() != static_cast<std::size_t>(grid_.columns)) {
+    refuse({.line = lines_.number,
+            .column = static_cast<int>(std::min(lines_.line.size(), static_cast<std::size_t>(grid_.columns))) + 1,
+            .value = fmt::format("{}", lines_.line.size()),
             .limit = fmt::format("{}", grid_.columns),
             .unit = "cells",
             .message = "the row is not as long as `width` says"});
   }
-  for (std::size_t i = 0; i < line_.size(); ++i) {
-    const std::size_t letter = kLetters.find(line_[i]);
+  for (std::size_t i = 0; i < lines_.line.size(); ++i) {
+    const std::size_t letter = kLetters.find(lines_.line[i]);
     grid_.blocked.push_back(letter < kFree ? 0 : 1);
     if (letter != std::string_view::npos) continue;
-    refuse({.line = number_,
+    refuse({.line = lines_.number,
             .column = static_cast<int>(i) + 1,
-            .value = std::string(1, line_[i]),
+            .value = std::string(1, lines_.line[i]),
             .limit = ". G S (free) | @ O T W (blocked)",
             .message = "unknown cell"});
   }
 }
 
 void Reader::read_rows() {
-  while (next_line()) {
+  while (lines_.next()) {
     if (++rows_ <= grid_.rows) read_row();
   }
   if (rows_ == grid_.rows) return;
-  refuse({.line = number_,
+  refuse({.line = lines_.number,
           .value = fmt::format("{}", rows_),
           .limit = fmt::format("{}", grid_.rows),
           .unit = "rows",
@@ -155,7 +139,7 @@ void Reader::read_rows() {
 }
 
 std::optional<HeightGrid> Reader::read(std::string_view text) {
-  rest_ = text;
+  lines_.rest = text;
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     refuse({.message = "the file is empty"});
   } else if (is_text(text)) {
@@ -163,7 +147,7 @@ std::optional<HeightGrid> Reader::read(std::string_view text) {
     judge_size();
     if (headed_ && sized_) read_rows();
   }
-  if (!faults_.finish(number_)) return std::nullopt;
+  if (!faults_.finish(lines_.number)) return std::nullopt;
   return std::move(grid_);
 }
 

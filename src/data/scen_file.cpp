@@ -35,11 +35,10 @@ class Reader {
 
  private:
   void refuse(Fault fault) {
-    fault.line = number_;
+    fault.line = lines_.number;
     faults_.add(std::move(fault));
   }
   void refuse(Column column, std::string message, std::string limit);
-  bool next_line();
   void split();
   bool read_version();
   bool read_map();
@@ -52,8 +51,7 @@ class Reader {
   fs::path path_;
   std::vector<Fault>& all_;
   FileFaults faults_;
-  std::string_view rest_, line_;
-  int number_ = 0;  ///< Of the line.
+  TextLines lines_;
   std::array<std::string_view, kColumns> cells_;
   std::size_t count_ = 0;  ///< Columns of the line.
   std::string map_name_;
@@ -62,32 +60,20 @@ class Reader {
 
 void Reader::refuse(Column column, std::string message, std::string limit) {
   const std::string_view text = cells_.at(column);
-  refuse({.column = static_cast<int>(text.data() - line_.data()) + 1,
+  refuse({.column = static_cast<int>(text.data() - lines_.line.data()) + 1,
           .field = kNames.at(column),
           .value = shortened(std::string(text)),
           .limit = std::move(limit),
           .message = std::move(message)});
 }
 
-bool Reader::next_line() {
-  while (!rest_.empty()) {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    ++number_;
-    line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
-    if (!line_.empty()) return true;
-  }
-  return false;
-}
-
 void Reader::split() {
   constexpr std::string_view kBlanks = " \t";
   count_ = 0;
-  for (std::size_t begin = line_.find_first_not_of(kBlanks); begin < line_.size(); ++count_) {
-    const std::size_t end = std::min(line_.find_first_of(kBlanks, begin), line_.size());
-    if (count_ < kColumns) cells_.at(count_) = line_.substr(begin, end - begin);
-    begin = line_.find_first_not_of(kBlanks, end);
+  for (std::size_t begin = lines_.line.find_first_not_of(kBlanks); begin < lines_.line.size(); ++count_) {
+    const std::size_t end = std::min(lines_.line.find_first_of(kBlanks, begin), lines_.line.size());
+    if (count_ < kColumns) cells_.at(count_) = lines_.line.substr(begin, end - begin);
+    begin = lines_.line.find_first_not_of(kBlanks, end);
   }
 }
 
@@ -95,7 +81,7 @@ bool Reader::read_version() {
   split();
   if (count_ == 2 && cells_[0] == "version" && (cells_[1] == "1" || cells_[1] == "1.0")) return true;
   refuse({.column = 1,
-          .value = shortened(std::string(line_)),
+          .value = shortened(std::string(lines_.line)),
           .limit = "version 1",
           .message = "the first line must name a version that can be read"});
   return false;
@@ -159,7 +145,7 @@ void Reader::read_row() {
     return;
   }
   if (map_name_.empty() && !read_map()) {
-    rest_ = {};
+    lines_.rest = {};
     return;
   }
   if (!fits_map()) return;
@@ -172,18 +158,18 @@ void Reader::read_row() {
 
 std::optional<ScenFile> Reader::read(std::string_view text) {
   const std::size_t earlier = all_.size();
-  rest_ = text;
+  lines_.rest = text;
   std::size_t rows = 0;
   if (text.find('\0') != std::string_view::npos) {
     refuse({.message = "is not a text file"});
-  } else if (!next_line()) {
+  } else if (!lines_.next()) {
     refuse({.message = "the file is empty"});
   } else if (read_version()) {
-    while (next_line() && ++rows <= kMaxScenRows) read_row();
+    while (lines_.next() && ++rows <= kMaxScenRows) read_row();
     if (rows == 0) refuse({.message = "the file has a version but no rows"});
     if (rows > kMaxScenRows) refuse({.limit = fmt::format("<= {}", kMaxScenRows), .message = "too many rows"});
   }
-  faults_.finish(number_);
+  faults_.finish(lines_.number);
   if (all_.size() > earlier) return std::nullopt;
   return std::move(scen_);
 }

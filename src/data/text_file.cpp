@@ -1,6 +1,7 @@
 #include "data/text_file.hpp"
 
 #include <fmt/core.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <fstream>
@@ -29,6 +30,18 @@ std::string read_text_file(const std::string& file, std::size_t most_bytes) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   return text;
+}
+
+bool TextLines::next() {
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++number;
+    line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty()) return true;
+  }
+  return false;
 }
 
 }  // namespace alate

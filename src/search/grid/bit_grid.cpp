@@ -20,7 +20,7 @@ constexpr std::uint8_t moves_among(unsigned blocked) {
 
 }  // namespace
 
-constexpr std::array<std::uint8_t, 512> BitGrid::kMoves = [] {
+constexpr std::array<std::uint8_t, 512> BitGrid::moves_ = [] {
   std::array<std::uint8_t, 512> table{};
   for (unsigned blocked = 0; blocked < table.size(); ++blocked) table.at(blocked) = moves_among(blocked);
   return table;

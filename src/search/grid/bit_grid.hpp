@@ -78,11 +78,11 @@ class BitGrid {
   unsigned moves(Cell cell) const {
     const auto three = [this](Cell west) { return static_cast<unsigned>(by_row_.from(west)) & 7U; };
     const Cell stride = by_row_.stride();
-    return kMoves[three(cell - 1 - stride) | (three(cell - 1) << 3U) | (three(cell - 1 + stride) << 6U)];
+    return moves_[three(cell - 1 - stride) | (three(cell - 1) << 3U) | (three(cell - 1 + stride) << 6U)];
   }
 
  private:
-  static const std::array<std::uint8_t, 512> kMoves;  ///< By the nine bits around a cell, upper row first.
+  static const std::array<std::uint8_t, 512> moves_;  ///< By the nine bits around a cell, upper row first.
 
   int columns_;
   int rows_;

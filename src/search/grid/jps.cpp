@@ -7,18 +7,8 @@
 
 namespace alate {
 
-namespace {
-
-constexpr unsigned kNoDirection = BitGrid::kDirections;
-
-}  // namespace
-
 JumpPointSearch::JumpPointSearch(const BitGrid& grid)
-    : grid_(grid),
-      costs_(grid.by_row().cells()),
-      parents_(grid.by_row().cells()),
-      entered_(grid.by_row().cells()),
-      open_(widest_spread(grid)) {}
+    : GridBestFirst(grid, widest_spread(grid)), parents_(grid.by_row().cells()), entered_(grid.by_row().cells()) {}
 
 void JumpPointSearch::reach(const Origin& origin, GridPlace place, unsigned direction) {
   const BitGrid::Cell cell = grid_.cell(place);
@@ -32,13 +22,7 @@ void JumpPointSearch::reach(const Origin& origin, GridPlace place, unsigned dire
     if ((entered_[cell] & side) != 0) return;
     entered_[cell] |= side;
   }
-  const OctileCost rest = to_goal(place);
-  if (origin.key + rest >= best_) return;
-  if (rest == 0) {
-    best_ = origin.key;
-  } else {
-    open_.push(CostTable::cost(origin.key) + rest, {origin.key, place, direction});
-  }
+  come_to({origin.key, place, direction});
 }
 
 void JumpPointSearch::run_straight(const Origin& origin, unsigned direction) {
@@ -72,10 +56,9 @@ void JumpPointSearch::turn(const Origin& origin, unsigned direction, bool left) 
   run_diagonally(origin, turned(direction, left ? 1 : 7));
 }
 
-void JumpPointSearch::expand(const Entry& entry) {
-  ++expansions_;
+void JumpPointSearch::expand(const JumpPoint& entry) {
   const Origin origin{entry.key, entry.place, entry.place};
-  if (entry.direction == kNoDirection) {
+  if (entry.direction == JumpPoint::kNoDirection) {
     for (unsigned d = 0; d < BitGrid::kDirections; d += 2) run_straight(origin, d);
     for (unsigned d = 1; d < BitGrid::kDirections; d += 2) run_diagonally(origin, d);
     return;
@@ -83,17 +66,6 @@ void JumpPointSearch::expand(const Entry& entry) {
   run_straight(origin, entry.direction);
   turn(origin, entry.direction, true);
   turn(origin, entry.direction, false);
-}
-
-/// False if the run was stopped.
-bool JumpPointSearch::search(RunContext& run) {
-  while (!open_.empty()) {
-    const Entry entry = open_.pop();
-    if (entry.key != costs_[grid_.cell(entry.place)] || entry.key + to_goal(entry.place) >= best_) continue;
-    if (expansions_ % kPollEvery == 0 && !run.keep_going()) return false;
-    expand(entry);
-  }
-  return true;
 }
 
 /// Between two jump points a way runs diagonally first.
@@ -112,22 +84,6 @@ void JumpPointSearch::trace(GridWay& way) const {
     add_corner(way, {shifted(from.column, across), shifted(from.row, along)});
     add_corner(way, points[i]);
   }
-}
-
-GridWay JumpPointSearch::find(GridPlace start, GridPlace goal, RunContext& run) {
-  start_ = start;
-  goal_ = goal;
-  expansions_ = 0;
-  costs_.begin_query();
-  best_ = costs_.key(start == goal ? 0 : kMostOctileCost);
-  costs_[grid_.cell(start)] = costs_.key(0);
-  open_.clear(to_goal(start));
-  open_.push(to_goal(start), {costs_.key(0), start, kNoDirection});
-  GridWay way;
-  way.finished = search(run);
-  if (costs_.known(grid_.cell(goal))) trace(way);
-  way.expansions = expansions_;
-  return way;
 }
 
 }  // namespace alate
