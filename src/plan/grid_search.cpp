@@ -56,9 +56,9 @@ class GridExact {
 };
 
 template <class Search>
-PlannerEntry exact_entry(std::string name, std::string help) {
-  return {.name = std::move(name),
-          .help = std::move(help),
+PlannerEntry exact_entry(std::string_view name, std::string_view help) {
+  return {.name = std::string(name),
+          .help = std::string(help),
           .can = {.exact = true, .deterministic = true, .space = "height grid"},
           .presets = {{.name = "default", .help = "It has no parameters."}},
           .parameters = ParamTable(std::vector<Parameter>{}),

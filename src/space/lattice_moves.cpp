@@ -43,8 +43,10 @@ LatticeMoves::LatticeMoves(const World& world, const LatticeFrame& frame, const 
       reached_(frame.nodes()),
       first_of_last_(frame.nodes() - frame.plane_size()) {
   note_shapes();
-  stopped_ = !flood(run);
-  if (stopped_) return;
+  if (!flood(run)) {
+    stopped_ = true;
+    return;
+  }
   note_joins(run);
   find_dead_ends();
   count_barred();
@@ -144,9 +146,9 @@ bool LatticeMoves::is_safe(const Place& at) const {
   const Band& band = world_.site().band;
   const double z = frame_.position(at).z();
   const double above = z - frame_.ground(at);
-  return above >= std::max(band.clearance_m, rules_.safe_agl_m) - kHair_m &&
-         !(band.ceiling_agl_m && above > *band.ceiling_agl_m + kHair_m) &&
-         !(band.ceiling_amsl_m && z > *band.ceiling_amsl_m + kHair_m);
+  const bool too_far_above = band.ceiling_agl_m && above > *band.ceiling_agl_m + kHair_m;
+  const bool too_high = band.ceiling_amsl_m && z > *band.ceiling_amsl_m + kHair_m;
+  return above >= std::max(band.clearance_m, rules_.safe_agl_m) - kHair_m && !too_far_above && !too_high;
 }
 
 void LatticeMoves::note_joins(const RunContext& run) {

@@ -26,7 +26,9 @@ StraightLimits::StraightLimits(const Site& site)
 
 bool StraightLimits::allows(const Vec3& leg) const {
   const double climb = climb_angle({Vec3::Zero(), leg});
-  return !(climb_rad_ && climb > *climb_rad_ + kHair_rad) && !(descent_rad_ && -climb > *descent_rad_ + kHair_rad);
+  const bool too_steep_up = climb_rad_ && climb > *climb_rad_ + kHair_rad;
+  const bool too_steep_down = descent_rad_ && -climb > *descent_rad_ + kHair_rad;
+  return !too_steep_up && !too_steep_down;
 }
 
 bool StraightLimits::allows_corner(const Vec3& before, const Vec3& after) const {

@@ -36,9 +36,6 @@ class GridBestFirst {
   }
 
  protected:
-  /// `grid` must outlive this. `spread`: of the costs that are open at one time.
-  GridBestFirst(const BitGrid& grid, OctileCost spread) : grid_(grid), costs_(grid.by_row().cells()), open_(spread) {}
-
   /// At a place by the best way known to it.
   void come_to(const Entry& entry) {
     const OctileCost rest = to_goal(entry.place);
@@ -55,6 +52,10 @@ class GridBestFirst {
   GridPlace start_, goal_;
 
  private:
+  friend Search;
+  /// `grid` must outlive this. `spread`: of the costs that are open at one time.
+  GridBestFirst(const BitGrid& grid, OctileCost spread) : grid_(grid), costs_(grid.by_row().cells()), open_(spread) {}
+
   Search& self() { return static_cast<Search&>(*this); }
   OctileCost to_goal(GridPlace place) const {
     return octile(int{place.column} - int{goal_.column}, int{place.row} - int{goal_.row});
