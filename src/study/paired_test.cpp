@@ -34,7 +34,7 @@ double normal_lower_tail(const std::vector<std::size_t>& ranks, std::size_t sum)
   double mean = 0;
   double variance = 0;
   for (const std::size_t rank : ranks) {
-    const double value = static_cast<double>(rank);
+    const auto value = static_cast<double>(rank);
     mean += value / 2;
     variance += value * value / 4;
   }

@@ -9,7 +9,12 @@
 
 namespace alate::mai2023 {
 
-enum Measure : std::size_t { kFitness, kLength, kIteration, kTime };
+/// Index of what runs are measured by.
+using Measure = std::size_t;
+inline constexpr Measure kFitness = 0;
+inline constexpr Measure kLength = 1;
+inline constexpr Measure kIteration = 2;
+inline constexpr Measure kTime = 3;
 inline constexpr std::array<Measure, 4> kMeasures{kFitness, kLength, kIteration, kTime};
 
 struct MeasureWords {

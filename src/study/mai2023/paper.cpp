@@ -139,6 +139,7 @@ std::vector<StudyMethod> reading_methods(const Reading& reading, const std::opti
   return all;
 }
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): each note is broken over lines.
 std::vector<std::string> notes() {
   return {
       "No figure of any result and no parameter value of the paper were available to us. This is an implementation of "
@@ -158,5 +159,6 @@ std::vector<std::string> notes() {
       "and the exact least F of the lattice.",
   };
 }
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace alate::mai2023

@@ -19,8 +19,11 @@ inline constexpr std::uint64_t kSeeds = 30;
 inline constexpr std::uint64_t kIterations = 500;
 inline constexpr std::uint64_t kSeedsToReadings = 3;  ///< Other readings get so many times fewer seeds.
 
-/// Index into scene_names.
-enum Scene : std::size_t { kSimple, kMedium, kOurs };
+/// Index into kSceneNames.
+using Scene = std::size_t;
+inline constexpr Scene kSimple = 0;
+inline constexpr Scene kMedium = 1;
+inline constexpr Scene kOurs = 2;
 inline constexpr std::array<Scene, 3> kScenes{kSimple, kMedium, kOurs};
 inline constexpr std::array<const char*, 3> kSceneNames{"simple", "medium", "ours"};
 

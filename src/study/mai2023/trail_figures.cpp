@@ -15,7 +15,8 @@ double deposit(const ParamValues& values, const IterationStats& stats, double la
 /// Eq. (19): of iteration t, counted from 1.
 double lambda_of(const ParamValues& values, std::size_t t) {
   const auto every = static_cast<std::size_t>(values.integer("lambda_every"));
-  return values.number("lambda") * std::pow(values.number("lambda_decay"), static_cast<double>((t - 1) / every));
+  const std::size_t decays = (t - 1) / every;
+  return values.number("lambda") * std::pow(values.number("lambda_decay"), static_cast<double>(decays));
 }
 
 template <class Use>

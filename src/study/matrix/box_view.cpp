@@ -16,7 +16,8 @@ constexpr double kRight = 14;
 constexpr double kBottom = 56;
 constexpr double kHalfBox = 10;
 
-void draw_box(Svg& svg, const Scale& x, double y, const MethodFigures& method, const Spread& spread) {
+void draw_box(Svg& svg, const Scale& x, double y, const MethodFigures& method) {
+  const Spread spread = *spread_of(method.gaps);
   const std::string css = line_class(method);
   const std::string tip = fmt::format("median {:.3g} %, quartiles {:.3g} and {:.3g} %, {} routes", spread.median,
                                       spread.lower_quartile, spread.upper_quartile, method.gaps.size());
@@ -53,7 +54,7 @@ std::string box_svg(const Study& study, const StudyAnalysis& analysis, std::size
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const double top = kRow * static_cast<double>(i);
     svg.text({kLeft, top + 20}, methods[i]->name, "label");
-    draw_box(svg, x, top + 40, *methods[i], *spread_of(methods[i]->gaps));
+    draw_box(svg, x, top + 40, *methods[i]);
   }
   return svg.str();
 }

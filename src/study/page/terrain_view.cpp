@@ -36,7 +36,8 @@ class Land {
   int cells() const { return cells_; }
   const Box2& area() const { return area_; }
   const Vec3& corner(int row, int column) const {
-    return corners_[static_cast<std::size_t>(row * (cells_ + 1) + column)];
+    const int index = row * (cells_ + 1) + column;
+    return corners_[static_cast<std::size_t>(index)];
   }
   Vec3 raised(const Vec3& place) const { return {place.x(), place.y(), exaggeration_ * place.z()}; }
   void include(const Vec3& point) {

@@ -13,11 +13,11 @@ namespace {
 using Ask = Finding (*)(const Study&, std::size_t reading);
 
 struct Asked {
-  const char* id;
-  const char* text;
+  const char* id = nullptr;
+  const char* text = nullptr;
   std::optional<double> published;
-  const char* unit;
-  Ask ask;
+  const char* unit = nullptr;
+  Ask ask = nullptr;
 };
 
 constexpr std::array<Asked, 13> kClaims{{

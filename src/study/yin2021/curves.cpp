@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "out/report/axis.hpp"
 #include "out/report/svg.hpp"
@@ -88,8 +89,8 @@ void draw(Svg& svg, const Axes& axes, const Curve& curve) {
     line.emplace_back(axes.x(point.iteration), axes.y(point.mean));
     band.emplace_back(axes.x(point.iteration), axes.y(point.low));
   }
-  for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point)
-    band.emplace_back(axes.x(point->iteration), axes.y(point->high));
+  for (const Point& point : std::views::reverse(curve.points))
+    band.emplace_back(axes.x(point.iteration), axes.y(point.high));
   svg.polygon(band, fmt::format("seeds {}", curve.css_class));
   svg.polyline(line, fmt::format("best {}", curve.css_class));
 }

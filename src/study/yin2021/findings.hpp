@@ -14,9 +14,9 @@ namespace alate::yin2021 {
 struct Finding {
   std::vector<Part> parts;
   ClaimVerdict verdict = ClaimVerdict::cannot_be_told;
-  std::optional<double> ours = {};
-  std::vector<std::pair<std::string, double>> by_case = {};
-  std::string more = {};  ///< Sentences beyond the parts.
+  std::optional<double> ours;
+  std::vector<std::pair<std::string, double>> by_case;
+  std::string more;  ///< Sentences beyond the parts.
 };
 
 /// Claims 1 and 2 name no map: both sizes are tried, either may bear them out, and `ours` is of the larger.

@@ -127,6 +127,7 @@ std::string scenario_text(Size size, int seed) {
       side, seed, side - 1);
 }
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): each note is broken over lines.
 std::vector<std::string> notes() {
   return {
       "The paper's maps, its Tables 1 to 3 and its a and b were not available. Its numbers cannot be reproduced; its "
@@ -143,5 +144,6 @@ std::vector<std::string> notes() {
       "greedy walk, another colony and the exact shortest way stand beside.",
   };
 }
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace alate::yin2021

@@ -22,7 +22,9 @@ inline constexpr std::size_t kMaps = 40;              ///< Of each size; the pap
 inline constexpr std::uint64_t kSeedsToReadings = 3;  ///< Other readings get so many times fewer seeds.
 
 /// Index into kSizes, and into what a study holds by size.
-enum Size : std::size_t { kSmall, kLarge };
+using Size = std::size_t;
+inline constexpr Size kSmall = 0;
+inline constexpr Size kLarge = 1;
 inline constexpr std::array<int, 2> kSizes{10, 30};  ///< Cells along a side.
 
 inline constexpr std::array<Size, 2> kBoth{kSmall, kLarge};
