@@ -106,7 +106,7 @@ TEST_F(MultiFactorByHand, WeighsByTrailPowerAndMu) {
 }
 
 LaneStreams pointers(std::array<Stream, kAntLanes>& streams) {
-  return {&streams[0], &streams[1], &streams[2], &streams[3]};
+  return {streams.data(), &streams[1], &streams[2], &streams[3]};
 }
 
 TEST(MoveTable, DrawsInProportionAmongUnvisited) {

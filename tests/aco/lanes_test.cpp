@@ -77,8 +77,8 @@ TEST(Lanes, HeaviestIsTheFirstOfEqualOnes) {
       for (float& value : row) value = static_cast<float>(stream.below(round == 0 ? 1 : 4));
     const LaneBits directions = heaviest(lanes_of(rows));
     for (std::size_t i = 0; i < kAntLanes; ++i) {
-      const auto most = std::ranges::max_element(rows[i]);
-      ASSERT_EQ(directions[i], *most > 0 ? most - rows[i].begin() : 8);
+      const float most = std::ranges::max(rows[i]);
+      ASSERT_EQ(directions[i], most > 0 ? std::ranges::find(rows[i], most) - rows[i].begin() : 8);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "aco/deposit/dual_strategy.hpp"
 #include "aco/heuristic/lattice_goal.hpp"
@@ -62,7 +63,7 @@ TEST(TerrainFactors, FillTheTableInKmOrCells) {
   EXPECT_NEAR(share(km, kAhead + 1), std::pow(up / ahead, 2), 1e-6);
   const AlignedFloats cells = terrain_factor_table(flat.lattice, {.beta = 1, .unit = TerrainFactorRule::Unit::cells});
   const double ahead_cells = 1 / (1 + 2.5) / (1 + std::sqrt(1 + 81.0));
-  const double up_cells = 1 / (1 + 3.5) / (std::sqrt(2.0) + std::sqrt(1 + 81.0 + 1));
+  const double up_cells = 1 / (1 + 3.5) / (std::numbers::sqrt2 + std::sqrt(1 + 81.0 + 1));
   EXPECT_NEAR(share(cells, kAhead + 1), up_cells / ahead_cells, 1e-6);
   EXPECT_EQ(km[kRow * start + 31], 0);
 }
@@ -74,7 +75,7 @@ TEST(LatticeGoal, TablesKnowTheDistance) {
   EXPECT_NEAR(double{distance[kRow * start + kAhead]}, 1, 1e-6);
   EXPECT_NEAR(double{distance[kRow * start + kAhead + 5]}, 81.0 / 82, 1e-6);
   const AlignedFloats directed = lattice_directed_table(flat.lattice, 0.5);
-  const double detour = std::sqrt(2.0) + std::sqrt(82.0) - 10;  // the heights of nodes are alike
+  const double detour = std::numbers::sqrt2 + std::sqrt(82.0) - 10;  // the heights of nodes are alike
   EXPECT_NEAR(double{directed[kRow * start + kAhead + 5]} / double{directed[kRow * start + kAhead]},
               std::exp(-detour / 0.5), 1e-6);
 }

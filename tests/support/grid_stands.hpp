@@ -20,7 +20,8 @@ inline GridStands stands_at(const Place& place) {
   for (unsigned d = 0; d < GridSpace::kDirections; ++d) {
     const auto [across, along] = GridSpace::shift(d);
     const std::int32_t mark = ((place.tabu >> d) & 1U) != 0 ? kMark : kMark + 1;
-    at.marks[static_cast<std::size_t>(along + 1)] |= mark << (8 * (across + 1));
+    const auto row = static_cast<std::size_t>(along) + 1;  // north first: -1 wraps round to 0
+    at.marks[row] |= mark << (8 * (across + 1));
   }
   return at;
 }

@@ -58,7 +58,7 @@ std::optional<Reproduction> reproduce(Executor& executor, const ReproduceOptions
                       .claims = claims(study),
                       .defects = defects(study),
                       .settings = settings(study, options, executor.threads())};
-  for (std::size_t i = 0; i < kSizes.size(); ++i) append_cells(study.sizes[i], size_name(static_cast<Size>(i)), result);
+  for (std::size_t i = 0; i < kSizes.size(); ++i) append_cells(study.sizes[i], size_name(i), result);
   result.page = page_html(study, result);
   return result;
 }
