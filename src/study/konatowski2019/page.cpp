@@ -36,8 +36,7 @@ std::string introduction() {
 }  // namespace
 
 std::string page_html(const Study& study, const Reproduction& result) {
-  std::string body =
-      fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
+  std::string body = reproduction_header(result);
   body += introduction() + facts(study, result);
   body += page_section("Published beside ours", claims_table(result.claims));
   body += page_section("All methods at a glance", overview_table(study));

@@ -115,6 +115,10 @@ std::string study_table(const std::vector<std::string>& words, const std::vector
       heads, rows);
 }
 
+std::string reproduction_header(const Reproduction& result) {
+  return fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
+}
+
 std::string notes_list(const std::vector<std::string>& notes) {
   std::string items;
   for (const std::string& note : notes) items += fmt::format("<li>{}</li>\n", xml_escape(note));

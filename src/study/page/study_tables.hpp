@@ -15,6 +15,9 @@ std::string claims_table(const std::vector<Claim>& claims);
 /// One block a case; the least mean of a case is marked.
 std::string cells_table(const std::vector<Cell>& cells);
 
+/// The head of a page: what it is, and the paper.
+std::string reproduction_header(const Reproduction& result);
+
 /// What must be known before any figure is read, numbered.
 std::string notes_list(const std::vector<std::string>& notes);
 

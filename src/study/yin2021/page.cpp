@@ -84,8 +84,7 @@ std::string all_runs(const Reproduction& result) {
 }  // namespace
 
 std::string page_html(const Study& study, const Reproduction& result) {
-  std::string body =
-      fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
+  std::string body = reproduction_header(result);
   body += introduction() + facts(study, result);
   body += page_section("What must be known first", notes_list(result.notes));
   body += page_section("Published beside ours",

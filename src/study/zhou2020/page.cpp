@@ -74,8 +74,7 @@ std::string genetic(const Study& study) {
 }  // namespace
 
 std::string page_html(const Study& study, const std::vector<JudgedRow>& rows, const Reproduction& result) {
-  std::string body =
-      fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
+  std::string body = reproduction_header(result);
   body += introduction() + verdict_facts(result);
   body += page_section("Published beside ours", claims_table(result.claims));
   body += page_section("Every published route, flown", routes_table(rows));
