@@ -14,6 +14,7 @@
 #include "aco/one_of.hpp"
 #include "aco/transition/lattice_table.hpp"
 #include "aco/walk/lattice_walk.hpp"
+#include "plan/lattice_parameters.hpp"
 #include "plan/terrain_aco_parameters.hpp"
 #include "plan/terrain_plan.hpp"
 #include "plan/terrain_planners.hpp"
@@ -85,7 +86,7 @@ class TerrainAco {
   explicit TerrainAco(ParamValues values) : values_(std::move(values)) {}
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    return plan_over_terrain(problem, run, {.steps = steps(), .rules = rules(), .score = score()},
+    return plan_over_terrain(problem, run, lattice_options(values_),
                              [&](const TerrainLattice& lattice) { return fly_colony(lattice, problem.world, run); });
   }
 
@@ -94,46 +95,6 @@ class TerrainAco {
   double number(std::string_view name) const { return values_.number(name); }
   int integer(std::string_view name) const { return static_cast<int>(values_.integer(name)); }
   std::uint64_t count(std::string_view name) const { return static_cast<std::uint64_t>(values_.integer(name)); }
-  double limit(std::string_view name) const { return number(name) > 0 ? number(name) : kInfinity; }
-
-  LatticeSteps steps() const {
-    MainDirection main = MainDirection::automatic;
-    if (is("main_direction", "x")) main = MainDirection::x;
-    if (is("main_direction", "y")) main = MainDirection::y;
-    if (is("main_direction", "line")) main = MainDirection::line;
-    return {.main = main,
-            .main_m = number("step_m"),
-            .side_m = number("side_m"),
-            .side_share = main == MainDirection::line ? 0.5 : 1,
-            .height_m = number("height_m"),
-            .window_side = integer("window_side"),
-            .window_height = integer("window_height")};
-  }
-
-  LatticeRules rules() const {
-    return {.limits = {.length_m = limit("length_max_m"),
-                       .leg_m = number("leg_min_m"),
-                       .height_agl_m = number("height_min_agl_m"),
-                       .height_amsl_m = limit("height_max_m"),
-                       .pitch_rad = radians(number("pitch_max_deg")),
-                       .turn_rad = radians(number("turn_max_deg"))},
-            .filters = is("constraints", "filter"),
-            .safe_agl_m = number("safe_height_m"),
-            .whole_legs = is("safety", "leg"),
-            .any_join = is("join", "any"),
-            .prunes = is("dead_ends", "pruned")};
-  }
-
-  TerrainScore score() const {
-    using Score = TerrainScore;
-    return {.rule = is("fitness", "paper") ? Score::Rule::paper : Score::Rule::objective,
-            .length = number("weight_length"),
-            .height = number("weight_height"),
-            .turn = number("weight_turn"),
-            .datum = is("height_above", "ground") ? Score::Datum::ground : Score::Datum::sea,
-            .degrees = is("angle_unit", "deg"),
-            .penalty = number("penalty")};
-  }
 
   LatticeFound fly_colony(const TerrainLattice& lattice, const World& world, RunContext& run) const {
     LatticeFound found;

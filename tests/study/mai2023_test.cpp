@@ -75,10 +75,10 @@ TEST(Mai2023Optimum, IsTheLeastOfAllStringsOfMoves) {
       }
     }
   }
-  const auto optimum = least_fitness(lattice);
+  const auto optimum = lattice_optimum(lattice);
   ASSERT_TRUE(optimum);
-  EXPECT_NEAR(optimum->fitness, least, 1e-9);
-  EXPECT_NEAR(fitness_of(optimum->places).sum(), optimum->fitness, 1e-5);
+  EXPECT_NEAR(optimum->score, least, 1e-9);
+  EXPECT_NEAR(fitness_of(optimum->places).sum(), optimum->score, 1e-5);
 }
 
 TEST(Mai2023Rules, Q0FallsJumpsAndRises) {

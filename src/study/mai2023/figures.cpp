@@ -80,7 +80,7 @@ std::optional<Interval> change(const Trial& from, const Trial& to, Measure measu
 
 std::optional<double> gap_percent(const Study& study, Scene scene, std::string_view method) {
   const auto summary = summary_of(study.trial(scene, method), kFitness);
-  return summary ? std::optional(100 * (summary->mean / study.optimum[scene].fitness - 1)) : std::nullopt;
+  return summary ? std::optional(100 * (summary->mean / study.optimum[scene].score - 1)) : std::nullopt;
 }
 
 std::optional<std::size_t> reaches(const Trial& trial, double fitness) {

@@ -43,7 +43,7 @@ std::string scene_title(Scene scene) {
 std::string scene_section(const Study& study, Scene scene) {
   return lead(fmt::format("Mean over the seeds, and below it best to worst. The least F that any string of moves of "
                           "the lattice has, found exactly, is {:.2f}.",
-                          study.optimum[scene].fitness)) +
+                          study.optimum[scene].score)) +
          methods_table(study, scene) + subsection("Best routes", routes_picture(study, scene)) +
          subsection("Their heights", profiles_pictures(study, scene)) +
          subsection("Over the iterations",
@@ -63,8 +63,7 @@ std::string readings_section(const Study& study) {
 }  // namespace
 
 std::string page_html(const Study& study, const Reproduction& result) {
-  std::string body =
-      fmt::format("<header><p>alate reproduction of a paper</p><h1>{}</h1></header>\n", xml_escape(result.title));
+  std::string body = reproduction_header(result);
   body += introduction() + facts(study, result);
   body += page_section("What must be known first", notes_list(result.notes));
   body += page_section("The paper's claims beside our figures",

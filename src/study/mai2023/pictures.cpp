@@ -147,7 +147,7 @@ std::string curves_pictures(const Study& study, Scene scene) {
   for (const Panel& panel : kPanels) {
     std::vector<Convergence> lines;
     for (const Line& line : panel) {
-      Convergence drawn = convergence(study.trial(scene, line.method), line.css_class, study.optimum[scene].fitness);
+      Convergence drawn = convergence(study.trial(scene, line.method), line.css_class, study.optimum[scene].score);
       if (!drawn.points.empty()) lines.push_back(std::move(drawn));
     }
     diagrams.push_back(std::move(lines));

@@ -17,7 +17,7 @@ RunSettings settings(const Study& study, const ReproduceOptions& options, int th
                    reading_seeds(options) == 0 ? "none" : fmt::format("1 to {}", reading_seeds(options)));
   all.emplace_back("confidence", std::string("95 %, percentile bootstrap over the runs, 2000 samples"));
   for (const Scene scene : kScenes)
-    all.emplace_back(fmt::format("least_fitness_{}", kSceneNames[scene]), study.optimum[scene].fitness);
+    all.emplace_back(fmt::format("least_fitness_{}", kSceneNames[scene]), study.optimum[scene].score);
   append_methods(study.main, all);
   for (std::size_t r = 1; r < readings().size(); ++r) {
     RunSettings of_reading;
@@ -46,7 +46,7 @@ void append_details(const Study& study, Reproduction& result) {
   for (const Measure measure : {kFitness, kIteration, kTime}) {
     for (const Trial& trial : study.main.trials) {
       Cell cell = cell_of(study.main, trial, measure);
-      if (measure == kFitness) cell.lower_bound = study.optimum[trial.case_index].fitness;
+      if (measure == kFitness) cell.lower_bound = study.optimum[trial.case_index].score;
       result.details.push_back(std::move(cell));
     }
   }

@@ -9,7 +9,7 @@ namespace alate::mai2023 {
 struct Study {
   Experiment main;                   ///< Scene by scene.
   std::vector<Experiment> readings;  ///< kAco and kMai under every reading but the first, over fewer seeds.
-  std::array<Optimum, kScenes.size()> optimum;
+  std::array<LatticeOptimum, kScenes.size()> optimum;
 
   const Trial& trial(Scene scene, std::string_view method) const;
   /// Reading 0 is that of the main runs.
