@@ -5,6 +5,7 @@
 
 #include "plan/attitude_planners.hpp"
 #include "plan/correction_planners.hpp"
+#include "plan/flight_planners.hpp"
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
 
@@ -45,6 +46,7 @@ const Registry& builtin_planners() {
     registry.add(astar_entry());
     registry.add(grid_aco_entry());
     registry.add(terrain_aco_entry());
+    registry.add(interval_astar_entry());
     return registry;
   }();
   return kRegistry;
