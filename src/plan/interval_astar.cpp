@@ -1,4 +1,6 @@
 // The flagship: a fixed wing over real ground, by true Dubins pieces and intervals of altitude.
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "plan/flight_planners.hpp"
@@ -11,9 +13,14 @@ namespace alate {
 namespace {
 
 struct IntervalPlanner {
-  /// Weights of the cost-to-go, one search each.
-  static constexpr std::array kEpsilons{2.5, 1.6, 1.3, 1.15};
-  static constexpr std::uint64_t kIterations = 40;  ///< Where neither a budget nor a time limit is given.
+  /// Weight of the cost-to-go and width of bins, in their usual width: one search each, the hasty ones first.
+  struct Pass {
+    double epsilon;
+    double bin;
+  };
+  static constexpr std::array kPasses{Pass{2.5, 1},    Pass{1.15, 1},  Pass{1.05, 1}, Pass{1.15, 0.5},
+                                      Pass{1.05, 0.5}, Pass{1.15, 2.0}, Pass{1.05, 2.0}};
+  static constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
   static constexpr int kTrials = 250;
 
   std::vector<PlanarPose> starts(const Mission& mission) const {
@@ -26,15 +33,6 @@ struct IntervalPlanner {
     return all;
   }
 
-  /// Part of the goal's ball: how much of its radius is spent on altitude.
-  static FlightEnd end_of(const Mission& mission, double tilt_rad) {
-    const double tolerance = std::max(0.0, mission.tolerance_m - 1e-3);
-    return {.place = mission.goal.head<2>(),
-            .radius_m = tolerance * std::cos(tilt_rad),
-            .low = mission.goal.z() - tolerance * std::sin(tilt_rad),
-            .high = mission.goal.z() + tolerance * std::sin(tilt_rad)};
-  }
-
   Plan plan(const Problem& problem, RunContext& run) const {
     const Mission& mission = problem.mission;
     Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
@@ -42,38 +40,40 @@ struct IntervalPlanner {
     const FlightCost cost(band);
     const CostToGo to_go(problem.world, run);
     IntervalAStar search(cost, to_go);
-    const FlightEnd end = end_of(mission, kPi / 4);
+    const FlightEnd end{.goal = mission.goal, .tolerance_m = std::max(0.0, mission.tolerance_m - 1e-3)};
+    const double distance = (mission.goal - mission.start).norm();
+    const double bin = std::clamp(distance / 250, band.radius_m() / 2, 4 * band.radius_m());
     std::vector<FlightPath> paths;
-    std::size_t passes = 0;
     Stream random(run.seed(), 0, 0);
-    while (run.start_iteration(kIterations)) {
-      if (passes < kEpsilons.size()) {
-        const double distance = (mission.goal - mission.start).norm();
-        const double bin = std::clamp(distance / 250, band.radius_m() / 2, 4 * band.radius_m());
+    std::size_t passes = 0;
+    for (std::uint64_t round = 1; run.start_iteration(kIterations);) {
+      if (passes < kPasses.size()) {
+        const Pass pass = kPasses[passes++];
         const auto track = search.find(starts(mission), mission.start.z(), end,
-                                       {.epsilon = kEpsilons[passes++], .bin_m = bin}, run);
+                                       {.epsilon = pass.epsilon, .bin_m = bin * pass.bin}, run);
         plan.counters["expansions"] += search.expansions();
-        if (!track) {
-          if (paths.empty() && passes == kEpsilons.size()) break;
-          continue;
+        if (track) {
+          paths.emplace_back(cost, end, *track, mission.start.z());
+          paths.back().shorten(run);
+          paths.back().better(random, kTrials, run);
         }
-        paths.emplace_back(cost, end, *track, mission.start.z());
-        paths.back().shorten(run);
-        paths.back().better(random, kTrials, run);
-        std::ranges::stable_sort(paths, {}, &FlightPath::cost);
-      } else if (!paths.empty()) {
-        paths[run.iterations() % 4 == 0 && paths.size() > 1 ? 1 : 0].better(random, kTrials, run);
-        std::ranges::stable_sort(paths, {}, &FlightPath::cost);
+      } else if (paths.empty()) {
+        break;
+      } else {
+        // The best one every other round, the second one every fourth, ...
+        const auto rank = static_cast<std::size_t>(std::countr_zero(round++));
+        paths[std::min(rank, paths.size() - 1)].better(random, kTrials, run);
       }
+      std::ranges::stable_sort(paths, std::less{}, &FlightPath::cost);
       if (!paths.empty()) run.report(paths.front().cost());
     }
-    if (!paths.empty()) {
-      const auto route = fly_track(band, paths.front().track(), mission.start, end);
-      if (route) {
-        plan.outcome = Outcome::feasible;
-        plan.route = *route;
-        plan.cost = paths.front().cost();
-      }
+    for (const FlightPath& path : paths) {
+      const auto route = fly_track(band, path.track(), mission.start, path.end());
+      if (!route) continue;
+      plan.outcome = Outcome::feasible;
+      plan.route = *route;
+      plan.cost = path.cost();
+      break;
     }
     plan.counters["iterations"] = run.iterations();
     plan.stop = run.stop();

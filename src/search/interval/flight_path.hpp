@@ -3,6 +3,7 @@
 // advancing the changed pieces alone.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "alate/core/stream.hpp"
@@ -40,7 +41,12 @@ class FlightPath {
   void note_forward(std::size_t from);
   void note_backward(std::size_t from);
   void split(Stream& random);
-  PlanarPose moved_pose(std::size_t k, Stream& random) const;
+  bool take_if(const Change& change, std::vector<Leg> legs, double most);
+  void note_end();
+  void note_total();
+  bool retilt(Stream& random);
+  bool move_some(Stream& random);
+  std::vector<PlanarPose> moved_poses(std::size_t k, std::size_t count, double size, Stream& random) const;
 
   const FlightCost* cost_;
   FlightEnd end_;
@@ -48,6 +54,9 @@ class FlightPath {
   std::vector<Leg> legs_;          ///< Leg i begins at pose i; the last ends where the flight does.
   std::vector<AltitudeLabel> forward_;   ///< At pose i, and at the end.
   std::vector<BackwardLabel> backward_;
+  static constexpr double kLeastChance = 0.02;
+  std::array<double, 8> size_chances_{0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3};  ///< Of moves, by what they brought.
+  double least_climb_ = 0;  ///< Cost of the ascent between the ends.
   double total_ = 0;
 };
 

@@ -49,8 +49,8 @@ std::optional<Route> fly_track(const BandWalk& band, const Track& track, const V
   AltitudeLabel label = AltitudeLabel::at(start.z());
   for (const TrackPiece& piece : track)
     if (!band.advance(piece, label)) return std::nullopt;
-  const double low = std::max(label.low, end.low);
-  const double high = std::min(label.high, end.high);
+  const double low = std::max(label.low, end.low());
+  const double high = std::min(label.high, end.high());
   if (low > high) return std::nullopt;
   const auto profile = taut_string(gates_of(band, track), start.z(), std::clamp(label.free, low, high));
 

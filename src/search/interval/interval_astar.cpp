@@ -23,11 +23,11 @@ Box2 area_of(const World& world) {
 }  // namespace
 
 void cut_at_end(Track& track, const FlightEnd& end) {
-  if (track.empty() || end.radius_m <= 0) return;
+  if (track.empty() || end.radius_m() <= 0) return;
   TrackPiece& last = track.back();
   if (last.steering != Steering::straight) return;
-  const double to_end = (end.place - last.from.position()).norm();
-  const double cut = std::min(last.length_m, end.radius_m - std::max(0.0, to_end - last.length_m));
+  const double to_end = (end.place() - last.from.position()).norm();
+  const double cut = std::min(last.length_m, end.radius_m() - std::max(0.0, to_end - last.length_m));
   last.length_m -= cut;
   constexpr double kLeastStraight_m = 0.1;
   if (last.length_m < kLeastStraight_m && track.size() > 1) track.pop_back();
@@ -92,12 +92,12 @@ void IntervalAStar::expand(std::uint32_t from) {
 
 std::optional<Track> IntervalAStar::shot(std::uint32_t from, const FlightEnd& end) const {
   Track track;
-  if (!append_way_to(track, nodes_[from].pose, end.place, cost_.band().radius_m())) return std::nullopt;
+  if (!append_way_to(track, nodes_[from].pose, end.place(), cost_.band().radius_m())) return std::nullopt;
   cut_at_end(track, end);
   AltitudeLabel label = nodes_[from].label;
   for (const TrackPiece& piece : track)
     if (!cost_.band().advance(piece, label)) return std::nullopt;
-  if (label.low > end.high || label.high < end.low) return std::nullopt;
+  if (label.low > end.high() || label.high < end.low()) return std::nullopt;
   return track;
 }
 
@@ -129,7 +129,7 @@ std::optional<Track> IntervalAStar::find(const std::vector<PlanarPose>& starts, 
         whole.insert(whole.end(), track->begin(), track->end());
         return whole;
       }
-      const double distance = (end.place - nodes_[at].pose.position()).norm();
+      const double distance = (end.place() - nodes_[at].pose.position()).norm();
       until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * radius), 0.0, 31.0));
     }
     expand(at);

@@ -4,6 +4,7 @@
 // there cheaper with at least its altitudes. Guided by a cost-to-go that knows climbing (CostToGo).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <queue>
@@ -16,12 +17,17 @@
 
 namespace alate {
 
-/// Where the flight may end: within `radius_m` of a place seen from above, between two altitudes.
+/// Where the flight may end: in the goal's ball, of which `tilt_rad` tells how much is spent on altitude. From the side
+/// the flight ends on the upright chord of the ball that is seen at this angle above and below its middle.
 struct FlightEnd {
-  Vec2 place;
-  double radius_m = 0;
-  double low = 0;
-  double high = 0;
+  Vec3 goal;
+  double tolerance_m = 0;
+  double tilt_rad = kPi / 4;
+
+  Vec2 place() const { return goal.head<2>(); }
+  double radius_m() const { return tolerance_m * std::cos(tilt_rad); }
+  double low() const { return goal.z() - tolerance_m * std::sin(tilt_rad); }
+  double high() const { return goal.z() + tolerance_m * std::sin(tilt_rad); }
 };
 
 struct IntervalSearchOptions {

@@ -56,6 +56,13 @@ BandWalk::BandWalk(const World& world)
   }
 }
 
+bool BandWalk::is_near_core(const TrackPiece& piece) const {
+  return std::ranges::any_of(cores_, [&](const Core& core) {
+    const double reach = core.reach_m + piece.length_m;
+    return (core.center - piece.from.position()).squaredNorm() < reach * reach;
+  });
+}
+
 BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   BandPiece band{.length_m = chord.length_m * (span.t_to - span.t_from),
@@ -71,7 +78,7 @@ BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const 
     band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - chord.margin_m);
     band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - chord.margin_m);
   }
-  if (!cores_.empty()) close_cores(chord, span, band);
+  if (chord.near_core) close_cores(chord, span, band);
   return band;
 }
 

@@ -43,34 +43,27 @@ class BandWalk {
     const double chord_m = piece.steering == Steering::straight ? piece.length_m : most_chord_m_;
     const int count = std::max(1, static_cast<int>(std::ceil(piece.length_m / chord_m)));
     const double step_m = piece.length_m / count;
-    const double margin_m = count > 1 || piece.steering != Steering::straight ? arc_margin_m_ : 0;
+    const bool is_arc = piece.steering != Steering::straight;
     const PlanarMotion motion = planar_motion(piece.steering, step_m, radius_m_);
-    PlanarPose at = piece.from;
+    const bool near_core = is_near_core(piece);
+    Vec2 at = piece.from.position();
+    Vec2 chord = motion.chord_m * turned(piece.from.direction(), motion);
     for (int k = 0; k < count; ++k) {
-      const PlanarPose next = moved(at, motion);
-      if (!follow_chord({at.position(), next.position(), step_m, margin_m}, visit)) return false;
+      const Vec2 next = at + chord;
+      if (!follow_chord({at, next, step_m, is_arc ? arc_margin_m_ : 0, near_core}, visit)) return false;
       at = next;
+      if (is_arc) chord = turned(turned(chord, motion), motion);
     }
     return true;
   }
 
   /// Onward along a piece; false if no altitude is left.
   bool advance(const TrackPiece& piece, AltitudeLabel& label) const {
-    return follow(piece, [&](const BandPiece& band) {
-      label.clip(band.floor_from, band.ceiling_from);
-      label.advance(band.length_m, slopes_);
-      label.clip(band.floor_to, band.ceiling_to);
-      return label.alive();
-    });
+    return follow(piece, [&](const BandPiece& band) { return pass(band, label); });
   }
   /// Backward along a piece, from its end to its begin.
   bool advance(const TrackPiece& piece, BackwardLabel& label) const {
-    return follow(reversed(piece, radius_m_), [&](const BandPiece& band) {
-      label.clip(band.floor_from, band.ceiling_from);
-      label.advance(band.length_m, slopes_);
-      label.clip(band.floor_to, band.ceiling_to);
-      return label.alive();
-    });
+    return follow(reversed(piece, radius_m_), [&](const BandPiece& band) { return pass(band, label); });
   }
 
  private:
@@ -78,6 +71,7 @@ class BandWalk {
     Vec2 from, to;
     double length_m;
     double margin_m;
+    bool near_core;
   };
   /// Ground between two straight lines, t in [0, 1] of a chord.
   struct GroundSpan {
@@ -85,6 +79,16 @@ class BandWalk {
     double from = 0, to = 0;
     double bulge = 0;  ///< How far the quadratic goes above (positive) or below its chord.
   };
+
+  /// A label that is dead at the begin of a stretch would come to life again further on.
+  template <class Label>
+  bool pass(const BandPiece& band, Label& label) const {
+    label.clip(band.floor_from, band.ceiling_from);
+    if (!label.alive()) return false;
+    label.advance(band.length_m, slopes_);
+    label.clip(band.floor_to, band.ceiling_to);
+    return label.alive();
+  }
 
   template <class Visit>
   bool follow_chord(const Chord& chord, const Visit& visit) const {
@@ -96,6 +100,11 @@ class BandWalk {
   template <class Visit>
   bool follow_smooth(const Chord& chord, const Visit& visit) const;
 
+  /// By half the turn of a motion.
+  static Vec2 turned(const Vec2& v, const PlanarMotion& motion) {
+    return {v.x() * motion.half_cos - v.y() * motion.half_sin, v.x() * motion.half_sin + v.y() * motion.half_cos};
+  }
+  bool is_near_core(const TrackPiece& piece) const;
   BandPiece band_over(const Chord& chord, const GroundSpan& span) const;
   void close_cores(const Chord& chord, const GroundSpan& span, BandPiece& band) const;
 

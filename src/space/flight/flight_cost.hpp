@@ -14,6 +14,7 @@ class FlightCost {
   explicit FlightCost(const BandWalk& band);
 
   const BandWalk& band() const { return band_; }
+  double length_weight() const { return weights_.length; }
   double climb_weight() const { return weights_.climb; }
 
   /// Advances the label; its cost without ascent, infinite if no altitude is left.

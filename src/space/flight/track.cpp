@@ -25,8 +25,8 @@ ArcThenStraight turn_towards(const PlanarPose& from, const Vec2& to, double radi
   const double squared = off.squaredNorm() - radius_m * radius_m;
   if (squared < 0) return {};
   const double straight = std::sqrt(squared);
-  // The tangent's direction makes the angle atan(r / straight) with the line from the centre to the point.
-  const Vec2 direction(off.x() * straight + side * off.y() * radius_m, off.y() * straight - side * off.x() * radius_m);
+  // off = straight * direction + radius to the outer side of it.
+  const Vec2 direction(off.x() * straight - side * off.y() * radius_m, off.y() * straight + side * off.x() * radius_m);
   const double ahead = direction.dot(from.direction());
   const double aside = side * (from.cos * direction.y() - from.sin * direction.x());
   double turn = std::atan2(aside, ahead);
