@@ -46,7 +46,7 @@ std::vector<double> near(const std::vector<double>& values, const std::vector<do
 
 TEST(Dubins, IsTheShortestOfSixWordsEverywhere) {
   Random random;
-  for (const double size : {1e-3, 0.5, 2.0, 5.0, 50.0, 1e4}) {
+  for (const double size : {1e-3, 0.5, 2.0, 5.0, 50.0, 1e6}) {
     for (int i = 0; i < 5000; ++i) {
       const PlanarPose from = random.pose(size);
       const PlanarPose to = random.pose(size);
@@ -54,6 +54,19 @@ TEST(Dubins, IsTheShortestOfSixWordsEverywhere) {
       expect_sound(from, to);
       // Away from the jumps, which have no measure, it is not shorter either.
       ASSERT_NEAR(dubins_length(from, to, kRadius), reference::shortest(from, to, kRadius), tolerance(from, to));
+    }
+  }
+}
+
+TEST(Dubins, IsSoundVeryNearAndFarFromTheOrigin) {
+  Random random;
+  for (const double size : {1e-14, 1e-12, 1e-10, 1e-9, 1e-6, 1.0, 30.0}) {
+    for (int i = 0; i < 2000; ++i) {
+      const PlanarPose from = random.pose(i % 2 == 0 ? 0 : 1e5);
+      const PlanarPose near = random.pose(size);
+      SCOPED_TRACE(text(from) + " to " + text(near) + " from there");
+      expect_sound(from, planar_pose(from.x + near.x, from.y + near.y, near.heading));
+      expect_sound(from, planar_pose(from.x + near.x, from.y + near.y, from.heading + 1e-10 * near.heading));
     }
   }
 }
