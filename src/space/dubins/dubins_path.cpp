@@ -1,6 +1,7 @@
 #include "space/dubins/dubins_path.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "space/dubins/dubins_words.hpp"
 
@@ -62,11 +63,21 @@ Turns turns_of(DubinsWord word, const Goal& goal) {
   return lrl_turns(mirrored(goal));
 }
 
-DubinsWord shortest_word(const Goal& goal) {
+/// Length of each word, in the order of DubinsWord.
+std::array<double, 6> word_lengths(const Goal& goal) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
   const Goal mirror = mirrored(goal);
-  const std::array lengths{dubins::lsl_length(goal),   dubins::lsl_length(mirror), dubins::lsr_length(goal),
-                           dubins::lsr_length(mirror), dubins::lrl_length(goal),   dubins::lrl_length(mirror)};
-  return static_cast<DubinsWord>(std::ranges::min_element(lengths) - lengths.begin());
+  std::array lengths{dubins::lsl_length(goal),
+                     dubins::lsl_length(mirror),
+                     dubins::lsr_length(goal),
+                     dubins::lsr_length(mirror),
+                     kNone,
+                     kNone};
+  if (dubins::may_curve(goal)) {
+    lengths[4] = dubins::lrl_length(goal);
+    lengths[5] = dubins::lrl_length(mirror);
+  }
+  return lengths;
 }
 
 }  // namespace
@@ -92,18 +103,21 @@ std::array<Steering, 3> steering_of(DubinsWord word) {
 
 DubinsPath shortest_dubins(const PlanarPose& from, const PlanarPose& to, double radius_m) {
   const Goal goal = dubins::goal_from(dubins::view(from), dubins::view(to), 1 / radius_m);
-  const DubinsWord word = shortest_word(goal);
-  Turns lengths = turns_of(word, goal);
-  for (double& length : lengths) length *= radius_m;
+  const std::array<double, 6> lengths = word_lengths(goal);
+  const auto shortest = std::ranges::min_element(lengths);
+  const auto word = static_cast<DubinsWord>(shortest - lengths.begin());
+  const Turns turns = turns_of(word, goal);
   return {.start = from,
           .radius_m = radius_m,
           .word = word,
-          .lengths_m = lengths,
-          .length_m = radius_m * dubins::shortest_length(goal)};
+          .lengths_m = {radius_m * turns[0], radius_m * turns[1], radius_m * turns[2]},
+          .length_m = radius_m * dubins::not_below_straight(goal, *shortest)};
 }
 
 double dubins_length(const PlanarPose& from, const PlanarPose& to, double radius_m) {
-  return radius_m * dubins::shortest_length(dubins::goal_from(dubins::view(from), dubins::view(to), 1 / radius_m));
+  const Goal goal = dubins::goal_from(dubins::view(from), dubins::view(to), 1 / radius_m);
+  if (dubins::may_curve(goal)) return radius_m * dubins::shortest_length(goal);
+  return radius_m * dubins::not_below_straight(goal, dubins::shortest_with_straight(goal));
 }
 
 }  // namespace alate

@@ -170,15 +170,30 @@ struct Between {
 
 [[gnu::always_inline]] inline double lesser(double a, double b) { return b < a ? b : a; }
 
-/// Length of the shortest word in radii, never below the straight line.
-[[gnu::always_inline]] inline double shortest_length(const Goal& goal) {
-  const Goal mirror = mirrored(goal);
-  const double alike = lesser(lsl_length(goal), lsl_length(mirror));
-  const double crosswise = lesser(lsr_length(goal), lsr_length(mirror));
-  const double curved = lesser(lrl_length(goal), lrl_length(mirror));
-  const double length = lesser(lesser(alike, crosswise), curved);
+/// Three arcs are shortest only where circles of start and goal on one side are less than four radii apart, so never
+/// beyond six radii; what comes of them there is infinite anyway.
+[[gnu::always_inline]] inline bool may_curve(const Goal& goal) { return goal.x * goal.x + goal.y * goal.y < 36; }
+
+/// Rounding must not make a path shorter than the straight line.
+[[gnu::always_inline]] inline double not_below_straight(const Goal& goal, double length) {
   const double straight = std::sqrt(goal.x * goal.x + goal.y * goal.y);
   return straight > length ? straight : length;
+}
+
+/// The shortest word with a straight piece, in radii.
+[[gnu::always_inline]] inline double shortest_with_straight(const Goal& goal) {
+  const Goal mirror = mirrored(goal);
+  return lesser(lesser(lsl_length(goal), lsl_length(mirror)), lesser(lsr_length(goal), lsr_length(mirror)));
+}
+
+/// The shortest of three arcs.
+[[gnu::always_inline]] inline double shortest_of_arcs(const Goal& goal) {
+  return lesser(lrl_length(goal), lrl_length(mirrored(goal)));
+}
+
+/// The shortest word.
+[[gnu::always_inline]] inline double shortest_length(const Goal& goal) {
+  return not_below_straight(goal, lesser(shortest_with_straight(goal), shortest_of_arcs(goal)));
 }
 
 }  // namespace alate::dubins
