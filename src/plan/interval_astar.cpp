@@ -1,5 +1,6 @@
 // The flagship: a fixed wing over real ground, by true Dubins pieces and intervals of altitude.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -7,23 +8,56 @@
 #include "search/interval/flight_path.hpp"
 #include "search/interval/flight_profile.hpp"
 #include "space/lower_bound.hpp"
+#include "space/objective.hpp"
 
 namespace alate {
 
 namespace {
 
-struct IntervalPlanner {
-  /// Weight of the cost-to-go and width of bins, in their usual width: one search each, the hasty ones first.
-  struct Pass {
-    double epsilon;
-    double bin;
-  };
-  static constexpr std::array kPasses{Pass{2.5, 1},    Pass{1.15, 1},  Pass{1.05, 1}, Pass{1.15, 0.5},
-                                      Pass{1.05, 0.5}, Pass{1.15, 2.0}, Pass{1.05, 2.0}};
-  static constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
-  static constexpr int kTrials = 250;
+/// Weight of the cost-to-go, and width of bins in their usual width: one search each, the hasty one first.
+struct Pass {
+  double epsilon;
+  double bin;
+};
+constexpr std::array kPasses{Pass{2.5, 1},    Pass{1.15, 1}, Pass{1.05, 1}, Pass{1.15, 0.5},
+                             Pass{1.05, 0.5}, Pass{1.15, 2}, Pass{1.05, 2}};
+constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
+constexpr int kTrials = 250;               ///< Of changes, an iteration.
 
-  std::vector<PlanarPose> starts(const Mission& mission) const {
+/// All that is known of one problem while it is worked on. An iteration is a search, or a round of changes to a way
+/// that one of them found.
+class IntervalRun {
+ public:
+  IntervalRun(const Problem& problem, RunContext& run)
+      : problem_(problem),
+        run_(run),
+        band_(problem.world),
+        cost_(band_),
+        objective_(problem.world),
+        to_go_(problem.world, run),
+        search_(cost_, to_go_),
+        end_{.goal = problem.mission.goal, .tolerance_m = std::max(0.0, problem.mission.tolerance_m - 1e-3)},
+        random_(run.seed(), 0, 0) {}
+
+  void improve(Plan& plan) {
+    while (run_.start_iteration(kIterations)) {
+      if (pass_ < kPasses.size()) {
+        search(plan);
+      } else if (paths_.empty()) {
+        return;
+      } else {
+        // The best one every other round, the second one every fourth, ...
+        const auto rank = static_cast<std::size_t>(std::countr_zero(++rounds_));
+        paths_[std::min(rank, paths_.size() - 1)].better(random_, kTrials, run_);
+      }
+      std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
+      if (!paths_.empty()) fly_best(plan);
+    }
+  }
+
+ private:
+  std::vector<PlanarPose> starts() const {
+    const Mission& mission = problem_.mission;
     const auto pose = [&](double heading) { return planar_pose(mission.start.x(), mission.start.y(), heading); };
     if (mission.heading_given) return {pose(kPi / 2 - mission.heading_rad)};
     std::vector<PlanarPose> all;
@@ -33,51 +67,64 @@ struct IntervalPlanner {
     return all;
   }
 
+  void search(Plan& plan) {
+    const Pass pass = kPasses[pass_++];
+    const double distance = (problem_.mission.goal - problem_.mission.start).norm();
+    const double bin = std::clamp(distance / 250, band_.radius_m() / 2, 4 * band_.radius_m());
+    const double z = problem_.mission.start.z();
+    const auto track = search_.find(starts(), z, end_, {.epsilon = pass.epsilon, .bin_m = bin * pass.bin}, run_);
+    plan.counters["expansions"] += search_.expansions();
+    if (!track) return;
+    paths_.emplace_back(cost_, end_, *track, z);
+    paths_.back().shorten(run_);
+    paths_.back().better(random_, kTrials, run_);
+  }
+
+  /// Altitudes for the way that seems best; kept if it is.
+  void fly_best(Plan& plan) {
+    const FlightPath& path = paths_.front();
+    if (auto route = fly_track(band_, path.track(), problem_.mission.start, path.end())) {
+      const double cost = objective_.route_cost(*route);
+      if (plan.route.empty() || cost < plan.cost) {
+        plan.outcome = Outcome::feasible;
+        plan.route = std::move(*route);
+        plan.cost = cost;
+      }
+      run_.report(plan.cost);
+    }
+  }
+
+  const Problem& problem_;
+  RunContext& run_;
+  BandWalk band_;
+  FlightCost cost_;
+  Objective objective_;
+  CostToGo to_go_;
+  IntervalAStar search_;
+  FlightEnd end_;
+  Stream random_;
+  std::vector<FlightPath> paths_;
+  std::size_t pass_ = 0;
+  std::uint64_t rounds_ = 0;
+};
+
+struct IntervalPlanner {
   Plan plan(const Problem& problem, RunContext& run) const {
     const Mission& mission = problem.mission;
     Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
-    const BandWalk band(problem.world);
-    const FlightCost cost(band);
-    const CostToGo to_go(problem.world, run);
-    IntervalAStar search(cost, to_go);
-    const FlightEnd end{.goal = mission.goal, .tolerance_m = std::max(0.0, mission.tolerance_m - 1e-3)};
-    const double distance = (mission.goal - mission.start).norm();
-    const double bin = std::clamp(distance / 250, band.radius_m() / 2, 4 * band.radius_m());
-    std::vector<FlightPath> paths;
-    Stream random(run.seed(), 0, 0);
-    std::size_t passes = 0;
-    for (std::uint64_t round = 1; run.start_iteration(kIterations);) {
-      if (passes < kPasses.size()) {
-        const Pass pass = kPasses[passes++];
-        const auto track = search.find(starts(mission), mission.start.z(), end,
-                                       {.epsilon = pass.epsilon, .bin_m = bin * pass.bin}, run);
-        plan.counters["expansions"] += search.expansions();
-        if (track) {
-          paths.emplace_back(cost, end, *track, mission.start.z());
-          paths.back().shorten(run);
-          paths.back().better(random, kTrials, run);
-        }
-      } else if (paths.empty()) {
-        break;
-      } else {
-        // The best one every other round, the second one every fourth, ...
-        const auto rank = static_cast<std::size_t>(std::countr_zero(round++));
-        paths[std::min(rank, paths.size() - 1)].better(random, kTrials, run);
-      }
-      std::ranges::stable_sort(paths, std::less{}, &FlightPath::cost);
-      if (!paths.empty()) run.report(paths.front().cost());
-    }
-    for (const FlightPath& path : paths) {
-      const auto route = fly_track(band, path.track(), mission.start, path.end());
-      if (!route) continue;
+    if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
       plan.outcome = Outcome::feasible;
-      plan.route = *route;
-      plan.cost = path.cost();
-      break;
+      plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
+    } else {
+      IntervalRun(problem, run).improve(plan);
     }
     plan.counters["iterations"] = run.iterations();
     plan.stop = run.stop();
-    plan.reproducible = plan.stop != Stop::deadline && plan.stop != Stop::cancelled;
+    const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
+    plan.reproducible = !stopped;
+    if (plan.route.empty())
+      plan.why =
+          stopped ? "stopped before any route was found" : "no string of arcs and straight pieces leads to the goal";
     return plan;
   }
 };

@@ -6,7 +6,7 @@ namespace alate {
 
 namespace {
 
-constexpr double kGain = 1e-4;             ///< Metres; less is not worth a change.
+constexpr double kGain = 1e-4;            ///< Metres; less is not worth a change.
 constexpr double kLeastStraight_m = 0.1;  ///< Shorter pieces have no direction, to the rounding of places.
 
 bool same(const AltitudeLabel& a, const AltitudeLabel& b) {

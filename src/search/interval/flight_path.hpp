@@ -50,9 +50,9 @@ class FlightPath {
 
   const FlightCost* cost_;
   FlightEnd end_;
-  std::vector<PlanarPose> poses_;  ///< The start, then one before each further leg.
-  std::vector<Leg> legs_;          ///< Leg i begins at pose i; the last ends where the flight does.
-  std::vector<AltitudeLabel> forward_;   ///< At pose i, and at the end.
+  std::vector<PlanarPose> poses_;       ///< The start, then one before each further leg.
+  std::vector<Leg> legs_;               ///< Leg i begins at pose i; the last ends where the flight does.
+  std::vector<AltitudeLabel> forward_;  ///< At pose i, and at the end.
   std::vector<BackwardLabel> backward_;
   static constexpr double kLeastChance = 0.02;
   std::array<double, 8> size_chances_{0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3};  ///< Of moves, by what they brought.

@@ -113,7 +113,11 @@ std::optional<Track> IntervalAStar::find(const std::vector<PlanarPose>& starts, 
   expansions_ = 0;
   using enum Steering;
   const double arc = radius * kPi / 8;
-  primitives_ = {{left, arc}, {right, arc}, {left, 2 * arc}, {right, 2 * arc}, {straight, options.bin_m},
+  primitives_ = {{left, arc},
+                 {right, arc},
+                 {left, 2 * arc},
+                 {right, 2 * arc},
+                 {straight, options.bin_m},
                  {straight, 3 * options.bin_m}};
   for (const PlanarPose& start : starts) add({.pose = start, .label = AltitudeLabel::at(z)});
   std::uint64_t until_shot = 0;

@@ -111,7 +111,7 @@ class BandWalk {
   struct Core {
     Vec2 center;
     double reach_m = 0;
-    double top_m = 0;     ///< Of a cylinder, or the middle of a sphere.
+    double top_m = 0;  ///< Of a cylinder, or the middle of a sphere.
     bool sphere = false;
   };
 
