@@ -34,7 +34,7 @@ class IntervalRun {
         band_(problem.world),
         cost_(band_),
         objective_(problem.world),
-        to_go_(problem.world, run),
+        to_go_(problem.world, band_.slopes(), run),
         search_(cost_, to_go_),
         end_{.goal = problem.mission.goal, .tolerance_m = std::max(0.0, problem.mission.tolerance_m - 1e-3)},
         random_(run.seed(), 0, 0) {}
@@ -99,7 +99,7 @@ class IntervalRun {
   BandWalk band_;
   FlightCost cost_;
   Objective objective_;
-  CostToGo to_go_;
+  ClimbField to_go_;
   IntervalAStar search_;
   FlightEnd end_;
   Stream random_;

@@ -33,7 +33,7 @@ void cut_at_end(Track& track, const FlightEnd& end) {
   if (last.length_m < kLeastStraight_m && track.size() > 1) track.pop_back();
 }
 
-IntervalAStar::IntervalAStar(const FlightCost& cost, const CostToGo& to_go)
+IntervalAStar::IntervalAStar(const FlightCost& cost, const ClimbField& to_go)
     : cost_(cost), to_go_(to_go), area_(area_of(cost.band().world())) {}
 
 double IntervalAStar::rest(const Node& node) const {

@@ -1,7 +1,7 @@
 // The first way over the ground: weighted A* over true Dubins pieces, each label an interval of altitudes.
 //
 // A node is a pose and an AltitudeLabel; a pass through a bin of place and heading is dropped where another one came
-// there cheaper with at least its altitudes. Guided by a cost-to-go that knows climbing (CostToGo).
+// there cheaper with at least its altitudes. Guided by a cost-to-go that knows climbing (ClimbField).
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "alate/core/run_context.hpp"
 #include "alate/world/problem.hpp"
-#include "space/cost_to_go.hpp"
+#include "space/flight/climb_field.hpp"
 #include "space/flight/flight_cost.hpp"
 
 namespace alate {
@@ -40,7 +40,7 @@ struct IntervalSearchOptions {
 class IntervalAStar {
  public:
   /// All must outlive this.
-  IntervalAStar(const FlightCost& cost, const CostToGo& to_go);
+  IntervalAStar(const FlightCost& cost, const ClimbField& to_go);
 
   /// A track whose labels all live, to the end; nothing if none was found.
   std::optional<Track> find(const std::vector<PlanarPose>& starts, double z, const FlightEnd& end,
@@ -72,7 +72,7 @@ class IntervalAStar {
   std::optional<Track> shot(std::uint32_t from, const FlightEnd& end) const;
 
   const FlightCost& cost_;
-  const CostToGo& to_go_;
+  const ClimbField& to_go_;
   IntervalSearchOptions options_;
   Box2 area_;
   int columns_ = 0;
