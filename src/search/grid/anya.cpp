@@ -17,29 +17,28 @@ OctileCost priority(double length) { return static_cast<OctileCost>(length * sta
 
 Anya::Anya(const BitGrid& grid) : grid_(grid), labels_(grid.by_row().cells()), open_(widest_spread(grid)) {}
 
-/// A straight line to the goal, if it lies in the run that the cone enters.
-void Anya::look_for_goal(const Cone& cone, FreeRun run) {
-  if (cone.row != goal_row_ || goal_column_ < run.left || goal_column_ >= run.right) return;
+/// A straight line to the goal, which lies in the run that the cone enters.
+void Anya::look_for_goal(const Cone& cone, Rays rays) {
   const double rows = cone.depth() + 0.5;
   const double across = goal_.x - cone.root.at.x;
-  if (!(across >= cone.left * rows && across <= cone.right * rows)) return;
+  if (!(across >= rays.left * rows && across <= rays.right * rows)) return;
   const double length = cone.root.length + distance(cone.root.at, goal_);
   if (length >= best_) return;
   best_ = length;
   last_ = cone.root;
 }
 
-/// Through a free run, and on to the next row.
-void Anya::enter(Cone cone, FreeRun run) {
-  look_for_goal(cone, run);
+/// Between two rays of a cone through a free run, and on to the next row.
+void Anya::enter(const Cone& cone, Rays rays, FreeRun run) {
+  if (cone.row == goal_row_ && goal_column_ >= run.left && goal_column_ < run.right) look_for_goal(cone, rays);
   const double x = cone.root.at.x;
   const double rows = cone.depth() + 1;
-  if (x + cone.left * rows < run.left) cone.left = (run.left - x) / rows;
-  if (x + cone.right * rows > run.right) cone.right = (run.right - x) / rows;
-  if (!(cone.left < cone.right)) return;
-  cone.row += cone.down;
-  const double least = cone.least_length(goal_);
-  if (least < best_) open_.push(priority(least), {cone, least});
+  if (x + rays.left * rows < run.left) rays.left = (run.left - x) / rows;
+  if (x + rays.right * rows > run.right) rays.right = (run.right - x) / rows;
+  if (!(rays.left < rays.right)) return;
+  const Cone next{cone.root, rays, cone.row + cone.down, cone.down};
+  const double least = next.least_length(goal_);
+  if (least < best_) open_.push(priority(least), {next, least});
 }
 
 /// Is the way from a root the shortest to a corner known so far? Then it may turn there. Of two equally short ways one
@@ -58,23 +57,14 @@ bool Anya::turn(const Root& from, int x, int y, Root& root) {
 void Anya::turn_inwards(const Cone& cone, FreeRun run, Side side, double ray) {
   Cone next = cone;
   if (!turn(cone.root, side == Side::left ? run.left : run.right, static_cast<int>(cone.line()), next.root)) return;
-  next.left = side == Side::left ? 0 : ray;
-  next.right = side == Side::left ? ray : 0;
-  enter(next, run);
+  enter(next, side == Side::left ? Rays{0, ray} : Rays{ray, 0}, run);
 }
 
 /// Round the blocked cell beside the row that the cone comes from.
 void Anya::turn_outwards(const Cone& cone, FreeRun run, Side side, double x) {
   Cone next = cone;
   if (!turn(cone.root, static_cast<int>(x), static_cast<int>(cone.line()), next.root)) return;
-  if (side == Side::left) {
-    next.left = -Cone::kWide;
-    next.right = cone.left;
-  } else {
-    next.left = cone.right;
-    next.right = Cone::kWide;
-  }
-  enter(next, run);
+  enter(next, side == Side::left ? Rays{-Rays::kWide, cone.rays.left} : Rays{cone.rays.right, Rays::kWide}, run);
   run_along(next.root, cone, side);
 }
 
@@ -94,10 +84,12 @@ void Anya::run_along(const Root& from, const Cone& cone, Side side) {
     }
     const int corner = ahead ? x + steps : x - steps;
     if (!turn(from, corner, static_cast<int>(from.at.y), next.root)) return;
-    next.left = ahead ? 0 : -Cone::kWide;
-    next.right = ahead ? Cone::kWide : 0;
-    const RowScan scan(grid_, next.row);
-    enter(next, ahead ? scan.run_from(corner) : scan.run_until(corner));
+    const RowScan row(grid_, next.row);
+    if (ahead) {
+      enter(next, {0, Rays::kWide}, row.run_from(corner));
+    } else {
+      enter(next, {-Rays::kWide, 0}, row.run_until(corner));
+    }
   };
   if (ahead) {
     wall_ends<true>(lanes, beyond, before, turn_at);
@@ -110,7 +102,7 @@ void Anya::run_along(const Root& from, const Cone& cone, Side side) {
 void Anya::pass(const Cone& cone, FreeRun run, double left, double right) {
   const double rows = cone.depth();
   const RowScan behind(grid_, cone.row - cone.down);
-  Cone seen = cone;
+  Rays seen = cone.rays;
   if (run.left >= left) {
     if (run.left > left) seen.left = (run.left - cone.root.at.x) / rows;
     if (seen.left > 0) turn_inwards(cone, run, Side::left, seen.left);
@@ -123,13 +115,13 @@ void Anya::pass(const Cone& cone, FreeRun run, double left, double right) {
   } else if (const auto x = static_cast<int>(right); x == right && behind.is_blocked(x)) {
     turn_outwards(cone, run, Side::right, right);
   }
-  enter(seen, run);
+  enter(cone, seen, run);
 }
 
 void Anya::expand(const Cone& cone) {
   const double rows = cone.depth();
-  const double left = cone.meets(cone.left, rows);
-  const double right = cone.meets(cone.right, rows);
+  const double left = cone.meets(cone.rays.left, rows);
+  const double right = cone.meets(cone.rays.right, rows);
   const RowScan row(grid_, cone.row);
   const auto first = static_cast<int>(left);
   for (int x = first; x < right;) {
@@ -181,7 +173,7 @@ AnyAngleWay Anya::find(GridPlace start, GridPlace goal, RunContext& run) {
     best_ = straight;
     last_ = root;
   }
-  for (const int down : {1, -1}) enter({.root = root, .row = start.row, .down = down}, around);
+  for (const int down : {1, -1}) enter({.root = root, .row = start.row, .down = down}, {}, around);
   AnyAngleWay way;
   way.finished = search(run);
   if (best_ < std::numeric_limits<double>::infinity()) trace(way);

@@ -54,8 +54,8 @@ class Anya {
   bool search(RunContext& run);
   void expand(const Cone& cone);
   void pass(const Cone& cone, FreeRun run, double left, double right);
-  void enter(Cone cone, FreeRun run);
-  void look_for_goal(const Cone& cone, FreeRun run);
+  void enter(const Cone& cone, Rays rays, FreeRun run);
+  void look_for_goal(const Cone& cone, Rays rays);
   bool turn(const Root& from, int x, int y, Root& root);
   void turn_inwards(const Cone& cone, FreeRun run, Side side, double ray);
   void turn_outwards(const Cone& cone, FreeRun run, Side side, double x);
