@@ -51,6 +51,7 @@ class Anya {
   /// One side of the way.
   enum class Side { left, right };
 
+  static OctileCost priority(double length) { return static_cast<OctileCost>(length * static_cast<double>(kStraight)); }
   bool search(RunContext& run);
   void expand(const Cone& cone);
   void pass(const Cone& cone, FreeRun run, double left, double right);
