@@ -158,18 +158,29 @@ void any_angle(benchmark::State& state, const std::string& name, std::size_t row
   compare_any_angle(state, scen->grid, tasks);
 }
 
-/// From corner to corner of a map with a tenth of its cells blocked at random.
+/// A tenth of the cells blocked at random.
+HeightGrid drawn_grid(int side) {
+  return draw_grid({.size = {side, side}, .obstacles = 0.1, .seed = 1}, std::array{0, side - 1},
+                   std::array{side - 1, 0});
+}
+
+Task corner_to_corner(int side) { return {BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)}; }
+
 void drawn_map(benchmark::State& state) {
   const auto side = static_cast<int>(state.range(0));
-  const HeightGrid grid =
-      draw_grid({.size = {side, side}, .obstacles = 0.1, .seed = 1}, std::array{0, side - 1}, std::array{side - 1, 0});
-  compare(state, grid, {{BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)}});
+  const HeightGrid grid = drawn_grid(side);
+  compare(state, grid, {corner_to_corner(side)});
   const BitGrid cells(grid);
   const auto count = static_cast<double>(cells.by_row().cells());
   constexpr double kMiB = 1024.0 * 1024.0;
   state.counters["bits_MiB"] = (count + static_cast<double>(cells.by_column().cells())) / 8 / kMiB;
   state.counters["astar_MiB"] = count * sizeof(CostTable::Key) / kMiB;
   state.counters["jps_MiB"] = count * (sizeof(CostTable::Key) + sizeof(GridPlace) + 1) / kMiB;
+}
+
+void drawn_map_any_angle(benchmark::State& state) {
+  const auto side = static_cast<int>(state.range(0));
+  compare_any_angle(state, drawn_grid(side), {corner_to_corner(side)});
 }
 
 }  // namespace
@@ -192,3 +203,4 @@ ALATE_ANY_ANGLE(Paris_1_1024);
 BENCHMARK_CAPTURE(any_angle, Berlin_1_512_longest, "Berlin_1_512", 300)->Iterations(3)->Unit(benchmark::kMillisecond);
 
 BENCHMARK(drawn_map)->RangeMultiplier(2)->Range(256, 4096)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(drawn_map_any_angle)->RangeMultiplier(2)->Range(512, 4096)->Iterations(3)->Unit(benchmark::kMillisecond);
