@@ -84,6 +84,7 @@ class PlannerLaws : public testing::TestWithParam<Law> {
   static bool arrived(const Plan& plan) {
     return plan.outcome == Outcome::feasible || plan.outcome == Outcome::optimal;
   }
+  bool is_through_air() const { return site_.has_ground() && !site_.grid; }
   bool is_exact() const { return builtin_planners().find(GetParam().planner)->can.exact; }
 
   World world_{problems().at(GetParam().problem)};
@@ -122,10 +123,13 @@ TEST_P(PlannerLaws, TheCostIsWhatTheRouteMeasuresAndNotBelowTheBound) {
   EXPECT_GE(plan.cost, plan.lower_bound);
 }
 
+/// Through the air no planner has: a lattice's best string of moves is not it, and the planner says what it is.
 TEST_P(PlannerLaws, OnlyAnExactPlannerClaimsTheOptimum) {
   const Plan plan = run({.iterations = 1});
-  EXPECT_EQ(plan.outcome == Outcome::optimal, is_exact());
-  EXPECT_TRUE(!is_exact() || plan.lower_bound == plan.cost);
+  const bool is_proven = is_exact() && !is_through_air();
+  EXPECT_EQ(plan.outcome == Outcome::optimal, is_proven);
+  EXPECT_TRUE(!is_proven || plan.lower_bound == plan.cost);
+  EXPECT_TRUE(is_proven || !is_exact() || !plan.why.empty());
 }
 
 TEST_P(PlannerLaws, ActionsReplayToTheSamePositions) {
