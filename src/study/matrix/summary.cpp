@@ -57,6 +57,7 @@ class Summary {
  public:
   explicit Summary(const StudyPart& part) : part_(part), cells_(part.study.planners.size()) {
     for (auto& row : cells_) row.resize(part.study.budgets.size());
+    note_closed();
     note_best();
     for (std::size_t i = 0; i < part.records.size(); ++i)
       if (part.records[i] && !part.study.jobs[i].reference) count(part.study.jobs[i], *part.records[i]);
@@ -70,7 +71,15 @@ class Summary {
   }
 
  private:
-  /// What is proven of a scenario, by any planner, counts; else the best route that any run found.
+  /// Scenarios without any route, which is proven, tell planners apart by nothing.
+  void note_closed() {
+    for (std::size_t i = 0; i < part_.records.size(); ++i)
+      if (part_.records[i] && part_.records[i]->outcome == Outcome::infeasible_proven)
+        closed_.insert(part_.study.jobs[i].scenario);
+  }
+
+  /// The proven optimum of a scenario, the greatest where planners that move more freely prove a lower one; else the
+  /// best route that any run found.
   void note_best() {
     for (const bool proven : {true, false}) {
       for (std::size_t i = 0; i < part_.records.size(); ++i) {
@@ -79,7 +88,7 @@ class Summary {
         if (!record || !record->valid || (proven ? record->outcome != Outcome::optimal : proven_.contains(scenario)))
           continue;
         const auto [best, is_new] = best_.emplace(scenario, record->cost);
-        best->second = std::min(best->second, record->cost);
+        best->second = proven ? std::max(best->second, record->cost) : std::min(best->second, record->cost);
         if (proven) proven_.insert(scenario);
       }
     }
@@ -87,6 +96,7 @@ class Summary {
 
   void count(const StudyJob& job, const StudyRecord& record) {
     seeds_.insert(job.seed);
+    if (closed_.contains(job.scenario)) return;
     Cell& cell = cells_[job.planner][job.budget];
     const auto best = best_.find(job.scenario);
     const bool judged = record.valid && best != best_.end() && best->second > 0;
@@ -96,11 +106,14 @@ class Summary {
   }
 
   std::string opening() const {
-    const std::size_t scenarios = part_.study.scenarios.size();
-    return fmt::format(
-        "{} {}, {} {}. Best known: the proven optimum of {} of them, else the best route of all runs.\n\n", scenarios,
-        scenarios == 1 ? "scenario" : "scenarios", seeds_.size(), seeds_.size() == 1 ? "seed" : "seeds",
-        proven_.size());
+    const auto counted = [](std::size_t count, const char* what) {
+      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    std::string text =
+        fmt::format("{}, {}. ", counted(part_.study.scenarios.size(), "scenario"), counted(seeds_.size(), "seed"));
+    if (!closed_.empty()) text += fmt::format("Left out as proven to have no route: {}. ", closed_.size());
+    return text + fmt::format("Best known: the proven optimum of {}, else the best route of all runs.\n\n",
+                              counted(proven_.size(), "scenario"));
   }
 
   std::string header() const {
@@ -137,6 +150,7 @@ class Summary {
   }
 
   const StudyPart& part_;
+  std::set<std::size_t> closed_;
   std::map<std::size_t, double> best_;  ///< By scenario.
   std::set<std::size_t> proven_;
   std::set<std::uint64_t> seeds_;
