@@ -115,8 +115,9 @@ void add_study(CLI::App& app, Command& chosen) {
   CLI::App& command = *add_command(app, "study", "Compare planners over scenarios, seeds and budgets",
                                    "alate study studies/small.yaml --out out/small");
   add_text(command, "STUDY", line->study, "study file (YAML or JSON); - reads standard input");
-  add_text(command, "--out", line->out,
-           "folder for rows.csv, times.csv, study.html and the journal, from which the same command goes on");
+  add_text(
+      command, "--out", line->out,
+      "folder for study.html, summary.md, rows.csv, times.csv and the journal, from which the same command goes on");
   add_text(command, "--threads", line->threads,
            "threads, 1 to 1024 a process (default: one a processor, under mpirun 1); changes times only");
   command.callback([&chosen, line] { chosen = [line](FaultList faults) { return study(*line, std::move(faults)); }; });

@@ -16,6 +16,11 @@ std::string sentence(std::string text) {
   return text;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') text.front() -= 'a' - 'A';
+  return text;
+}
+
 std::string no_route(const Plan& plan) {
   const char* opening = plan.outcome == Outcome::infeasible_proven ? "There is no route" : "No route was found";
   return sentence(plan.why.empty() ? opening : fmt::format("{}: {}", opening, plan.why));
@@ -167,6 +172,7 @@ std::string summary(const Result& result) {
   std::string text = fmt::format("A route of {}{} was found{}.", length_in_words(result.metrics.length_m),
                                  corrections_in_words(result.metrics), judgement(result.verdict));
   if (result.verdict.ok() && gap(result)) text += fmt::format(" Its cost is {}.", gap_in_words(result));
+  if (!result.plan.why.empty()) text += fmt::format(" {}", capitalised(sentence(result.plan.why)));
   if (result.verdict.ok()) text += success_in_words(result);
   if (const std::string front = front_in_words(result.plan.front); !front.empty()) text += " " + front;
   return text;

@@ -1,6 +1,7 @@
 // Planners that find the shortest way from cell to cell, and prove it.
 #include "plan/grid_exact.hpp"
 #include "plan/grid_planners.hpp"
+#include "plan/terrain_planners.hpp"
 #include "search/grid/astar.hpp"
 #include "search/grid/jps.hpp"
 
@@ -33,10 +34,17 @@ PlannerEntry exact_entry(std::string name, std::string help) {
 }  // namespace
 
 PlannerEntry jps_entry() {
-  return exact_entry<JumpPointSearch>(
+  PlannerEntry entry = exact_entry<JumpPointSearch>(
       "jps",
       "Jump point search: the shortest way from cell to cell of a grid, proven, and the quickest to find it (Harabor "
       "and Grastien 2011, 2014).");
+  entry.refuses = [](const Problem& problem) -> std::string {
+    if (is_over_terrain(problem.world.site()))
+      return "jumps over cells that all cost the same, and over terrain each leg has a cost of its own; take astar or "
+             "theta-star";
+    return grid_refusal(problem);
+  };
+  return entry;
 }
 
 PlannerEntry astar_entry() {

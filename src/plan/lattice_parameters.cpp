@@ -200,6 +200,11 @@ LatticeSteps steps_of(const ParamValues& values) {
           .window_height = static_cast<int>(values.integer("window_height"))};
 }
 
+/// False for a parameter that the planner does not have.
+bool is_set(const ParamValues& values, std::string_view name, std::string_view to) {
+  return values.all().contains(name) && values.text(name) == to;
+}
+
 LatticeRules rules_of(const ParamValues& values) {
   return {.limits = {.length_m = limit(values.number("length_max_m")),
                      .leg_m = values.number("leg_min_m"),
@@ -207,22 +212,23 @@ LatticeRules rules_of(const ParamValues& values) {
                      .height_amsl_m = limit(values.number("height_max_m")),
                      .pitch_rad = radians(values.number("pitch_max_deg")),
                      .turn_rad = radians(values.number("turn_max_deg"))},
-          .filters = values.text("constraints") == "filter",
+          .filters = !is_set(values, "constraints", "penalty"),
           .safe_agl_m = values.number("safe_height_m"),
-          .whole_legs = values.text("safety") == "leg",
+          .whole_legs = !is_set(values, "safety", "node"),
           .any_join = values.text("join") == "any",
-          .prunes = values.text("dead_ends") == "pruned"};
+          .prunes = !is_set(values, "dead_ends", "kept")};
 }
 
 TerrainScore score_of(const ParamValues& values) {
-  using Score = TerrainScore;
-  return {.rule = values.text("fitness") == "paper" ? Score::Rule::paper : Score::Rule::objective,
-          .length = values.number("weight_length"),
-          .height = values.number("weight_height"),
-          .turn = values.number("weight_turn"),
-          .datum = values.text("height_above") == "ground" ? Score::Datum::ground : Score::Datum::sea,
-          .degrees = values.text("angle_unit") == "deg",
-          .penalty = values.number("penalty")};
+  TerrainScore score{.penalty = is_set(values, "constraints", "penalty") ? values.number("penalty") : 0};
+  if (!is_set(values, "fitness", "paper")) return score;
+  score.rule = TerrainScore::Rule::paper;
+  score.length = values.number("weight_length");
+  score.height = values.number("weight_height");
+  score.turn = values.number("weight_turn");
+  score.datum = is_set(values, "height_above", "ground") ? TerrainScore::Datum::ground : TerrainScore::Datum::sea;
+  score.degrees = is_set(values, "angle_unit", "deg");
+  return score;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "plan/flight_planners.hpp"
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
+#include "plan/under_one_name.hpp"
 
 namespace alate {
 
@@ -42,11 +43,13 @@ const Registry& builtin_planners() {
     registry.add(sparse_astar_entry());
     registry.add(correction_ga_entry());
     registry.add(correction_aco_entry());
-    registry.add(jps_entry());
-    registry.add(astar_entry());
-    registry.add(theta_star_entry());
-    registry.add(grid_aco_entry());
     registry.add(terrain_aco_entry());
+    registry.add(jps_entry());
+    registry.add(
+        under_one_name({{.is_for = is_over_terrain, .entry = terrain_astar_entry()}, {.entry = astar_entry()}}));
+    registry.add(under_one_name(
+        {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()}, {.entry = theta_star_entry()}}));
+    registry.add(grid_aco_entry());
     registry.add(interval_astar_entry());
     return registry;
   }();

@@ -46,17 +46,25 @@ void count(const TerrainLattice& lattice, const LatticeTally& tally, Plan& plan)
                         {"dead_ends", tally.dead_ends}});
 }
 
-void fill(const Problem& problem, const TerrainLattice& lattice, const TerrainSearch& search, Plan& plan) {
+/// Turning limits, which has_way does not ask, or the length.
+std::string no_string() {
+  return "moves of the lattice lead to the goal, but no string of them keeps the limits of turns and of the route's "
+         "length; other steps may find a way, as the lattice holds but a part of the air";
+}
+
+/// False where the search saw that no string of moves is a route.
+bool fill(const Problem& problem, const TerrainLattice& lattice, const TerrainSearch& search, Plan& plan) {
   LatticeFound found = search(lattice);
   count(lattice, found.tally, plan);
   plan.counters["candidates"] = found.moves * lattice.frame().moves();
   plan.counters["expansions"] = found.moves;
   plan.counters["last_change"] = last_change(found.history);
   plan.history = std::move(found.history);
-  if (found.places.empty()) return;
+  if (found.places.empty()) return !found.is_exhausted;
   plan.outcome = Outcome::feasible;
   plan.route = route_over(found.places);
   plan.cost = Objective(problem.world).route_cost(plan.route);
+  return true;
 }
 
 struct Task {
@@ -72,16 +80,16 @@ std::string search_lattice(const Task& task, const LatticeOptions& options, Plan
   if (!frame.fault().empty()) return frame.fault();
   const TerrainLattice lattice(problem.world, std::move(frame), options, run);
   if (lattice.moves().stopped()) return "stopped before any route was found";
-  if (!lattice.moves().has_way()) {
-    if (options.steps.side_m > 0 || options.steps.side_share >= 1) return no_way(lattice);
+  if (!lattice.moves().has_way() || !fill(problem, lattice, search, plan)) {
+    if (options.steps.side_m > 0 || options.steps.side_share >= 1)
+      return lattice.moves().has_way() ? no_string() : no_way(lattice);
     LatticeOptions wide = options;
     wide.steps.side_share = 1;
     return search_lattice(task, wide, plan);
   }
-  fill(problem, lattice, search, plan);
   if (!plan.route.empty()) return "";
   if (was_stopped(run.stop())) return "stopped before any route was found";
-  return "every ant walked into a dead end or broke a limit, though moves lead to the goal; a longer search may find a "
+  return "every try ended in a dead end or broke a limit, though moves lead to the goal; a longer search may find a "
          "route";
 }
 

@@ -21,16 +21,17 @@ struct LatticeFound {
   std::uint64_t moves = 0;   ///< That were tried.
   LatticeTally tally;
   std::vector<IterationStats> history;
+  bool is_exhausted = false;  ///< No string of moves is a route.
 };
 
 using TerrainSearch = std::function<LatticeFound(const TerrainLattice&)>;
 
 /// Builds the space, searches and wraps up; again with a side_share of 1 where a smaller one leads nowhere. That no
 /// string of moves leads to the goal proves nothing beyond the lattice: none_found, with the plane that moves from the
-/// start reach at most. The history tells what the colony ranks by; the plan's cost is that of the scenario's
-/// objective. The lower bound is that of the continuous problem. Counters: dead_ends; last_change, the last iteration
-/// that changed the best so far; broken_*: how often each constraint was broken by ants that arrived, barred_*: how
-/// many candidates it took away.
+/// start reach at most, or word that turns or length forbid what moves allow. The history tells what the colony ranks
+/// by; the plan's cost is that of the scenario's objective. The lower bound is that of the continuous problem.
+/// Counters: dead_ends; last_change, the last iteration that changed the best so far; broken_*: how often each
+/// constraint was broken by ants that arrived, barred_*: how many candidates it took away.
 Plan plan_over_terrain(const Problem& problem, RunContext& run, const LatticeOptions& options,
                        const TerrainSearch& search);
 

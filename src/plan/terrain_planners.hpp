@@ -6,5 +6,10 @@
 namespace alate {
 
 PlannerEntry terrain_aco_entry();
+PlannerEntry terrain_astar_entry();
+PlannerEntry terrain_theta_star_entry();
+
+/// Ground to fly over, and not cells to step on.
+bool is_over_terrain(const Site& site);
 
 }  // namespace alate

@@ -65,6 +65,8 @@ class LatticeMoves {
   unsigned clear(Node node) const { return clear_[node]; }
   /// Moves that may follow a move.
   unsigned follows(unsigned came) const { return follows_[came]; }
+  /// Does what may follow depend on the move before?
+  bool minds_turns() const { return aircraft_.minds_turns() || (rules_.filters && rules_.limits.turn_rad < kPi); }
   /// In the last plane: moves after which the last leg may follow.
   unsigned joins(Node node) const { return joins_[node - first_of_last_]; }
   bool is_reached(Node node) const { return reached_[node] != 0; }

@@ -46,7 +46,9 @@ void LatticeScore::note_heights() {
       const double datum = rule_.datum == TerrainScore::Datum::ground ? frame_.ground({plane, column, 0}) : 0;
       for (int level = 0; level < frame_.levels(); ++level) {
         const double height = frame_.position({plane, column, level}).z() - datum;
-        of_height_[frame_.node({plane, column, level})] = static_cast<float>(rule_.height * height / kKm);
+        float& of_height = of_height_[frame_.node({plane, column, level})];
+        of_height = static_cast<float>(rule_.height * height / kKm);
+        least_of_end_ = std::min(least_of_end_, double{of_height});
       }
     }
   }
@@ -79,6 +81,7 @@ void LatticeScore::note_joins(const World& world, const LatticeMoves& moves) {
       cost += objective_.threat * world.exposure(leg);
     } else if (!of_height_.empty()) {
       cost += at_goal;
+      least_of_end_ = std::min(least_of_end_, at_goal);
     }
   }
 }

@@ -46,6 +46,11 @@ class LatticeScore {
   /// Of the last leg, which follows `came`.
   double of_join(Node node, unsigned came) const;
 
+  /// Does a move's cost depend on the move before it?
+  bool minds_turns() const { return rule_.is_papers() && rule_.turn != 0; }
+  /// No leg's end adds less; 0 or below, as ground may lie below the sea.
+  double least_of_end() const { return least_of_end_; }
+
   /// Straight to the goal, were the air free; 0 or more, and never above what a route costs by the objective.
   double of_straight(const Vec3& from) const { return of_length(frame_.goal() - from); }
 
@@ -70,7 +75,8 @@ class LatticeScore {
   ObjectiveSpec objective_;
   std::array<double, LatticeFrame::kMostMoves> length_m_{};
   std::array<std::array<double, LatticeFrame::kMostMoves>, LatticeFrame::kMostMoves + 1>
-      of_step_{};                 ///< By shape alone.
+      of_step_{};  ///< By shape alone.
+  double least_of_end_ = 0;
   std::vector<float> of_height_;  ///< By node; empty where heights do not count.
   AlignedFloats exposed_;         ///< By node and move; empty without threats.
   std::vector<double> of_join_;   ///< Without its turn, by node of the last plane.

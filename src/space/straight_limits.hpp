@@ -19,6 +19,8 @@ class StraightLimits {
   bool allows_corner(const Vec3& before, const Vec3& after) const;
   /// May the flight begin with this leg? Only a heading that the scenario gives asks anything.
   bool allows_first(const Vec3& leg) const;
+  /// Do corners ask anything?
+  bool minds_turns() const { return radius_m_.has_value(); }
   /// The steepest climb and the steepest descent as rise over planar length, the lesser of the two; at most `most`.
   double slope(double most) const;
 

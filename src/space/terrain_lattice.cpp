@@ -1,5 +1,7 @@
 #include "space/terrain_lattice.hpp"
 
+#include <algorithm>
+
 namespace alate {
 
 namespace {
@@ -47,13 +49,16 @@ LatticeFlight TerrainLattice::judge(std::span<const Edge> edges) const {
   return flight;
 }
 
+double TerrainLattice::longest_m() const {
+  const LatticeRules& rules = moves_.rules();
+  return rules.filters ? std::min(range_m_, rules.limits.length_m) : range_m_;
+}
+
 void TerrainLattice::join(Node node, unsigned came, LatticeFlight& flight) const {
   flight.score += score_.of_join(node, came);
   flight.length_m += score_.join_length_m(node);
-  const LatticeRules& rules = moves_.rules();
-  const bool is_long = flight.length_m > rules.limits.length_m;
-  flight.faults.length += is_long ? 1U : 0U;
-  if (flight.length_m > range_m_ || (rules.filters && is_long)) flight.is_route = false;
+  flight.faults.length += flight.length_m > moves_.rules().limits.length_m ? 1U : 0U;
+  if (flight.length_m > longest_m()) flight.is_route = false;
 }
 
 void TerrainLattice::count_leg(const Vec3* before, const Vec3& leg, LatticeFaults& faults) const {

@@ -44,6 +44,9 @@ class TerrainLattice {
   /// Moves until the last plane; the last leg comes after them.
   std::size_t walk_length() const { return static_cast<std::size_t>(frame_.planes()) - 1; }
 
+  /// No route may be longer: the aircraft's range, and L_max where constraints filter.
+  double longest_m() const;
+
   /// A move from a node: kRow * node + move.
   using Edge = std::uint32_t;
 

@@ -19,6 +19,31 @@ TEST(TerrainAco, ExamplesPassTheCheck) {
   }
 }
 
+/// The cheapest moves, the any-angle route over the same lattice, and what each says of itself.
+TEST(TerrainSearch, PlansTheExamplesAndSaysWhatTheRouteIs) {
+  for (const char* name : {"simple.yaml", "ours.yaml"}) {
+    double moves = 1e9;
+    for (const char* planner : {"astar", "theta-star"}) {
+      const Finished done = alate({"plan", kExamples + name, "--planner", planner, "--json"});
+      ASSERT_EQ(done.code, 0) << name << done.err;
+      const Json result = Json::parse(done.out);
+      EXPECT_EQ(result.at("outcome"), "feasible");
+      EXPECT_EQ(result.at("verdict").at("status"), "pass");
+      expect_contains(result.at("summary").get<std::string>(), {"lattice"});
+      const auto cost = result.at("cost").get<double>();
+      EXPECT_GT(cost, result.at("lower_bound").get<double>());
+      EXPECT_LT(cost, moves);
+      moves = cost;
+    }
+  }
+}
+
+TEST(TerrainSearch, JumpPointsAreRefusedInPlainWords) {
+  const Finished done = alate({"plan", kExamples + "simple.yaml", "--planner", "jps"});
+  EXPECT_EQ(done.code, 2);
+  expect_contains(done.err, {"jps cannot plan this", "each leg has a cost of its own", "take astar or theta-star"});
+}
+
 TEST(TerrainAco, ValuesOutOfRangeAreToldWithTheRange) {
   const Finished done =
       alate({"plan", kExamples + "simple.yaml", "--set", "ants=0", "--set", "iterations=0", "--set", "step_m=-1",

@@ -120,6 +120,25 @@ TEST(StudyFile, RefusesEmptyListsAndAbsurdCounts) {
   EXPECT_FALSE(faults_of(kGrid + "planners: [{name: grid-aco}, {name: grid-aco}]\n").empty()) << "given twice";
 }
 
+TEST(StudyFile, AGroupIsServedAsAWholeOrNotAtAll) {
+  const std::string grid = "{grid: {random: {size: [8, 8], obstacles: 0.1, seed: 1}}}";
+  const std::string air =
+      "{frame: {local: true}, start: {position_m: [0, 0, 100], heading_deg: 90}, goal: {position_m: [3000, 500, 100], "
+      "tolerance_m: 200}, vehicle: {step_m: 200, roll_deg: [0], pitch_deg: [0], yaw_deg: [-10, 0, 10]}}";
+  const std::string groups = "scenarios: [{group: a, scenarios: [" + grid + "]}, {group: b, scenarios: [" + air + "]}";
+  EXPECT_EQ(load(groups + "]\nplanners: [{name: jps}, {name: beam}]\n").jobs.size(), 2U);
+  const auto mixed =
+      faults_of(groups + ", {group: c, scenarios: [" + grid + ", " + air + "]}]\nplanners: [{name: jps}]\n");
+  ASSERT_EQ(mixed.size(), 1U);
+  EXPECT_NE(mixed[0].find("jps cannot plan c: 1: it"), std::string::npos) << mixed[0];
+  const auto none = faults_of(groups + "]\nplanners: [{name: label-setting}]\n");
+  ASSERT_EQ(none.size(), 1U) << "it serves no group";
+  const auto twice = faults_of("scenarios: [{group: a, scenarios: [" + grid + "]}, {group: a, scenarios: [" + grid +
+                               "]}, {group: d, scenaros: []}]\nplanners: [{name: jps}]\n");
+  ASSERT_EQ(twice.size(), 3U);
+  EXPECT_NE(twice[0].find("a name of its own"), std::string::npos) << twice[0];
+}
+
 }  // namespace
 
 }  // namespace alate

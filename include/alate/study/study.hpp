@@ -29,6 +29,7 @@ struct StudyBudget {
 struct StudyScenario {
   std::string name;
   World world;
+  std::size_t group = 0;  ///< Of the study's groups.
 };
 
 /// A planner ready to run.
@@ -49,14 +50,23 @@ struct StudyJob {
   bool reference = false;  ///< An exact planner without a budget, for the optimum.
 };
 
+/// A planner that cannot serve the scenarios of a group, and the first of its reasons.
+struct StudyRefusal {
+  std::size_t group = 0;
+  std::size_t planner = 0;
+  std::string why;
+};
+
 struct Study {
   std::string file;
+  std::vector<std::string> groups;  ///< Names; one, empty, where the file makes no groups.
   std::vector<StudyScenario> scenarios;
   std::vector<StudyPlanner> planners;
   std::vector<StudyPlanner> references;
   std::vector<StudyBudget> budgets;
-  std::vector<StudyJob> jobs;  ///< By scenario, planner, budget, seed; then the references.
-  std::string fingerprint;     ///< Of the study's text, its scenarios and the version: tells whose journal it is.
+  std::vector<StudyRefusal> refusals;  ///< By group, then planner: pairs without jobs.
+  std::vector<StudyJob> jobs;          ///< By scenario, planner, budget, seed; then the references.
+  std::string fingerprint;  ///< Of the study's text, its scenarios and the version: tells whose journal it is.
 };
 
 /// What is kept of one run. Costs are what `measure` says.
@@ -78,8 +88,8 @@ struct StudyRecord {
 using StudyRecords = std::vector<std::optional<StudyRecord>>;
 
 /// Reads a study file; "-" is standard input. Paths are relative to it. Throws InputError with every fault of the
-/// study and of its scenarios: those of a scenario file, unknown planners, presets and parameters, planners that refuse
-/// a scenario, counts beyond the limits. See docs/studies.md.
+/// study and of its scenarios: those of a scenario file, unknown planners, presets and parameters, planners that serve
+/// some scenarios of a group but not all, or no group; counts beyond the limits. See docs/studies.md.
 Study load_study(const std::string& file, const Registry& registry = builtin_planners());
 
 struct StudyOptions {
@@ -98,16 +108,20 @@ StudyRecords read_journals(const Study& study, const std::string& folder);
 /// stopped. Throws std::system_error if the disk fails.
 bool run_study(const Study& study, StudyRecords& records, Executor& executor, const StudyOptions& options);
 
-/// One line a run, in the order of the jobs, references left out. The same at any number of threads, ranks and
-/// interruptions, under budgets of iterations.
+/// One line a run, in the order of the jobs, references left out; then one for each scenario that a planner refused.
+/// The same at any number of threads, ranks and interruptions, under budgets of iterations.
 std::string rows_csv(const Study& study, const StudyRecords& records);
 
 /// Planning time of the same runs.
 std::string times_csv(const Study& study, const StudyRecords& records);
 
-/// The comparison in plain words for a terminal, and as a page of its own.
+/// The comparison in plain words for a terminal, and as a page of its own, group by group.
 std::string to_text(const Study& study, const StudyRecords& records);
 std::string study_html(const Study& study, const StudyRecords& records);
+
+/// Tables in Markdown, one a group: for every planner and budget the share of valid routes, the median cost above the
+/// best known, and the planning time of the least budget whose median run comes within 1 % of it.
+std::string summary_markdown(const Study& study, const StudyRecords& records);
 
 class OutputFolder;
 
@@ -120,7 +134,8 @@ class StudyFolder {
   StudyFolder(const StudyFolder&) = delete;
   StudyFolder& operator=(const StudyFolder&) = delete;
 
-  /// Writes study.html, rows.csv and times.csv, and returns their names. Files are written aside and renamed.
+  /// Writes study.html, summary.md, rows.csv and times.csv, and returns their names. Files are written aside and
+  /// renamed.
   std::vector<std::string> write(const Study& study, const StudyRecords& records);
 
  private:

@@ -73,7 +73,7 @@ struct Plan {
   std::map<std::string, std::uint64_t> counters;  ///< "candidates", "iterations", ...
   std::vector<IterationStats> history;            ///< Colonies and populations, one entry an iteration.
   std::vector<FrontPoint> front;                  ///< If asked for; by corrections, then length.
-  std::string why;                                ///< Without a route: what stands in the way, and where.
+  std::string why;  ///< Without a route: what bars the way, and where; with one: what it is.
 };
 
 }  // namespace alate

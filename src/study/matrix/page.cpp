@@ -8,6 +8,7 @@
 #include "out/report/tables.hpp"
 #include "out/text.hpp"
 #include "study/matrix/analysis.hpp"
+#include "study/matrix/by_group.hpp"
 #include "study/matrix/views.hpp"
 #include "study/page/study_style.hpp"
 #include "study/page/study_tables.hpp"
@@ -20,23 +21,33 @@ constexpr double kLevel = 0.05;  ///< A corrected chance below it tells two plan
 
 std::string chance_text(double p) { return p < 0.0001 ? "&lt; 0.0001" : fmt::format("{:.4f}", p); }
 
-class Page {
+/// What is told of one group of scenarios.
+class PartPage {
  public:
-  Page(const Study& study, const StudyRecords& records) : study_(study), analysis_(analyse(study, records)) {}
+  explicit PartPage(const StudyPart& part)
+      : part_(part), study_(part.study), analysis_(analyse(part.study, part.records)) {}
 
   std::string html() const {
-    std::string body = fmt::format("<header><p>alate study</p><h1>{}</h1></header>\n", xml_escape(study_.file));
-    body += facts() + page_section("In short", in_short());
-    body += page_section("All planners", methods_table());
-    body += page_section("How far the routes lie above " + std::string(words_of(analysis_.yardstick)), boxes());
-    body += page_section("Better with every iteration", bands());
-    body += page_section("What more time buys", gap_time());
-    body += page_section("Which planners can be told apart", duels_table());
-    body += page_section("How it was made", settings());
-    return html_page("alate study: " + study_.file, body, std::string(kStudyStyle) + std::string(kViewStyle));
+    std::string body = facts() + section("In short", in_short());
+    body += section("All planners", methods_table() + refused());
+    body += section("How far the routes lie above " + std::string(words_of(analysis_.yardstick)), boxes());
+    body += section("Better with every iteration", bands());
+    body += section("What more time buys", gap_time());
+    return body + section("Which planners can be told apart", duels_table());
   }
 
  private:
+  std::string section(const std::string& title, const std::string& body) const {
+    return page_section(part_.name.empty() ? title : xml_escape(part_.name) + ": " + title, body);
+  }
+
+  std::string refused() const {
+    std::string rows;
+    for (const auto& [planner, why] : part_.refused)
+      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", xml_escape(planner), xml_escape(why));
+    return rows.empty() ? "" : study_table({"Refused by", "It"}, {}, rows);
+  }
+
   std::string facts() const {
     std::size_t runs = 0;
     std::size_t valid = 0;
@@ -179,19 +190,25 @@ class Page {
         duel.pairs, duel.first_better, duel.second_better, chance_text(duel.corrected));
   }
 
-  std::string settings() const {
-    return "<p class=\"lead\">Each run has one thread. Costs are what the independent check measures. Planners that no "
-           "seed changes run once. The same study gives the same rows.csv at any number of threads and processes, "
-           "budgets of time apart.</p>\n" +
-           pairs_table({{"alate", version()}, {"study", xml_escape(study_.file)}, {"fingerprint", study_.fingerprint}});
-  }
-
+  const StudyPart& part_;
   const Study& study_;
   StudyAnalysis analysis_;
 };
 
+std::string settings(const Study& study) {
+  return "<p class=\"lead\">Each run has one thread. Costs are what the independent check measures. Planners that no "
+         "seed changes run once. The same study gives the same rows.csv at any number of threads and processes, "
+         "budgets of time apart.</p>\n" +
+         pairs_table({{"alate", version()}, {"study", xml_escape(study.file)}, {"fingerprint", study.fingerprint}});
+}
+
 }  // namespace
 
-std::string study_html(const Study& study, const StudyRecords& records) { return Page(study, records).html(); }
+std::string study_html(const Study& study, const StudyRecords& records) {
+  std::string body = fmt::format("<header><p>alate study</p><h1>{}</h1></header>\n", xml_escape(study.file));
+  for (const StudyPart& part : parts_of(study, records)) body += PartPage(part).html();
+  body += page_section("How it was made", settings(study));
+  return html_page("alate study: " + study.file, body, std::string(kStudyStyle) + std::string(kViewStyle));
+}
 
 }  // namespace alate

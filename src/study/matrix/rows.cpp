@@ -44,6 +44,11 @@ std::string row(const Study& study, const StudyJob& job, const StudyRecord& reco
                      round_trip(gap_of(record, optimum)), record.valid);
 }
 
+std::string refused_row(const StudyPlanner& planner, const StudyScenario& scenario) {
+  return fmt::format("{},{},{},,,refused,,,,,,,,,,false\n", cell(scenario.name), cell(planner.name),
+                     cell(planner.preset));
+}
+
 }  // namespace
 
 std::string rows_csv(const Study& study, const StudyRecords& records) {
@@ -53,6 +58,9 @@ std::string rows_csv(const Study& study, const StudyRecords& records) {
       "optimum,gap,valid\n";
   for (std::size_t i = 0; i < records.size(); ++i)
     if (records[i] && !study.jobs[i].reference) text += row(study, study.jobs[i], *records[i], optima);
+  for (const StudyRefusal& refusal : study.refusals)
+    for (const StudyScenario& scenario : study.scenarios)
+      if (scenario.group == refusal.group) text += refused_row(study.planners[refusal.planner], scenario);
   return text;
 }
 

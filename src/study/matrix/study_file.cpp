@@ -1,6 +1,8 @@
 // Reads a study and lays out its runs.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "alate/core/version.hpp"
 #include "alate/data/scenario_file.hpp"
 #include "alate/study/study.hpp"
@@ -26,22 +28,51 @@ Node read_root(const std::string& file, std::string& text, StudyFaults& faults) 
   return root;
 }
 
-/// A planner must serve every scenario; one fault a planner, with the first refusal.
-void check_refusals(const std::vector<PlannerItem>& planners, const std::vector<StudyScenario>& scenarios,
-                    StudyFaults& faults) {
-  for (const PlannerItem& item : planners) {
-    std::size_t refused = 0;
-    Fault first;
-    for (const StudyScenario& scenario : scenarios) {
-      const std::string refusal = item.entry->refuses(Problem(scenario.world));
-      if (refusal.empty()) continue;
-      if (++refused == 1)
-        first = {.field = item.field + ".name",
-                 .message = fmt::format("{} cannot plan {}: it {}", item.planner.name, scenario.name, refusal)};
-    }
-    if (refused > 1) first.message += fmt::format(" (and it refuses {} more scenarios)", refused - 1);
-    if (refused > 0) faults.report(item.place, std::move(first));
+/// What a planner says to the scenarios of one group.
+struct Answers {
+  std::size_t asked = 0;
+  std::size_t refused = 0;
+  std::string scenario;  ///< The first refused.
+  std::string why;
+};
+
+Answers answers_of(const PlannerItem& item, const std::vector<StudyScenario>& scenarios, std::size_t group) {
+  Answers answers;
+  for (const StudyScenario& scenario : scenarios) {
+    if (scenario.group != group) continue;
+    ++answers.asked;
+    std::string refusal = item.entry->refuses(Problem(scenario.world));
+    if (refusal.empty() || ++answers.refused > 1) continue;
+    answers.scenario = scenario.name;
+    answers.why = std::move(refusal);
   }
+  return answers;
+}
+
+/// A planner must serve all scenarios of a group or none, and one group at least.
+void note_refusals(const std::vector<PlannerItem>& planners, Study& study, StudyFaults& faults) {
+  for (std::size_t p = 0; p < planners.size(); ++p) {
+    const PlannerItem& item = planners[p];
+    std::size_t refused = 0;
+    for (std::size_t group = 0; group < study.groups.size(); ++group) {
+      const Answers answers = answers_of(item, study.scenarios, group);
+      if (answers.refused == 0) continue;
+      ++refused;
+      study.refusals.push_back({.group = group, .planner = p, .why = answers.why});
+      const bool serves_none = answers.refused == answers.asked;
+      if (serves_none && refused < study.groups.size()) continue;
+      Fault fault{.field = item.field + ".name",
+                  .message = fmt::format("{} cannot plan {}: it {}", item.planner.name, answers.scenario, answers.why)};
+      if (answers.refused > 1) fault.message += fmt::format(" (and it refuses {} more scenarios)", answers.refused - 1);
+      faults.report(item.place, std::move(fault));
+    }
+  }
+  std::ranges::stable_sort(study.refusals, {}, &StudyRefusal::group);
+}
+
+bool refuses(const Study& study, std::size_t planner, std::size_t group) {
+  return std::ranges::any_of(study.refusals,
+                             [&](const StudyRefusal& r) { return r.planner == planner && r.group == group; });
 }
 
 bool read_reference(const Node* node, StudyFaults& faults) {
@@ -74,10 +105,12 @@ void add_references(Study& study, const Registry& registry) {
 
 void add_jobs(Study& study, const std::vector<std::uint64_t>& seeds) {
   for (std::size_t s = 0; s < study.scenarios.size(); ++s)
-    for (std::size_t p = 0; p < study.planners.size(); ++p)
+    for (std::size_t p = 0; p < study.planners.size(); ++p) {
+      if (refuses(study, p, study.scenarios[s].group)) continue;
       for (std::size_t b = 0; b < study.budgets.size(); ++b)
         for (std::size_t i = 0; i < (study.planners[p].chance ? seeds.size() : 1); ++i)
           study.jobs.push_back({.scenario = s, .planner = p, .budget = b, .seed = seeds[i]});
+    }
 }
 
 std::string fingerprint_of(const Study& study, const std::string& text) {
@@ -98,8 +131,11 @@ Study load_study(const std::string& file, const Registry& registry) {
   std::vector<PlannerItem> planners;
   std::vector<std::uint64_t> seeds{kDefaultSeed};
   study.budgets.emplace_back();
-  if (const Node* list = root.find("scenarios"); faults.is_list(list, root, "scenarios", kMaxStudyScenarios))
-    study.scenarios = read_study_scenarios(*list, faults);
+  if (const Node* list = root.find("scenarios"); faults.is_list(list, root, "scenarios", kMaxStudyScenarios)) {
+    ScenarioItems items = read_study_scenarios(*list, faults);
+    study.scenarios = std::move(items.scenarios);
+    study.groups = std::move(items.groups);
+  }
   if (const Node* list = root.find("planners"); faults.is_list(list, root, "planners", kMaxStudyPlanners))
     planners = read_study_planners(*list, registry, faults);
   if (const Node* node = root.find("seeds"); node != nullptr) seeds = read_study_seeds(*node, faults);
@@ -107,7 +143,7 @@ Study load_study(const std::string& file, const Registry& registry) {
       list != nullptr && faults.is_list(list, root, "budgets", kMaxStudyBudgets))
     study.budgets = read_study_budgets(*list, faults);
   const bool exact = read_reference(root.find("reference"), faults);
-  check_refusals(planners, study.scenarios, faults);
+  note_refusals(planners, study, faults);
   const std::size_t runs = study.scenarios.size() * planners.size() * study.budgets.size() * seeds.size();
   if (runs > kMaxStudyRuns)
     faults.report(root.place, {.value = fmt::format("{}", runs),

@@ -17,7 +17,13 @@ struct PlannerItem {
   std::string field;
 };
 
-std::vector<StudyScenario> read_study_scenarios(const Node& list, StudyFaults& faults);
+/// Scenarios, and their groups' names.
+struct ScenarioItems {
+  std::vector<StudyScenario> scenarios;
+  std::vector<std::string> groups;
+};
+
+ScenarioItems read_study_scenarios(const Node& list, StudyFaults& faults);
 std::vector<PlannerItem> read_study_planners(const Node& list, const Registry& registry, StudyFaults& faults);
 std::vector<std::uint64_t> read_study_seeds(const Node& node, StudyFaults& faults);
 std::vector<StudyBudget> read_study_budgets(const Node& list, StudyFaults& faults);

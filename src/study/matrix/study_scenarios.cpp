@@ -26,16 +26,42 @@ class ScenarioList {
  public:
   explicit ScenarioList(StudyFaults& faults) : faults_(faults) {}
 
+  /// An item of the study: a group, or a scenario of the group without a name.
   void read(const Node& item, const std::string& field) {
+    if (item.kind == Node::Kind::map && item.find("group") != nullptr) return read_group(item, field);
+    set_group("");
+    read_scenario(item, field);
+  }
+
+  ScenarioItems take() { return std::move(items_); }
+
+ private:
+  void read_group(const Node& item, const std::string& field) {
+    faults_.check_keys(item, field, {"group", "scenarios"});
+    const Node* name = item.find("group");
+    const Node* list = item.find("scenarios");
+    if (!faults_.is_word(*name, field + ".group")) return;
+    if (name->text.empty() || std::ranges::find(items_.groups, name->text) != items_.groups.end())
+      return faults_.report(name->place,
+                            {.field = field + ".group", .value = name->text, .message = "needs a name of its own"});
+    if (!faults_.is_list(list, item, field + ".scenarios", kMaxStudyScenarios)) return;
+    set_group(name->text);
+    for (std::size_t i = 0; i < list->children.size(); ++i)
+      read_scenario(list->children[i], fmt::format("{}.scenarios.{}", field, i));
+  }
+
+  void set_group(const std::string& name) {
+    group_ = static_cast<std::size_t>(std::ranges::find(items_.groups, name) - items_.groups.begin());
+    if (group_ == items_.groups.size()) items_.groups.push_back(name);
+  }
+
+  void read_scenario(const Node& item, const std::string& field) {
     if (item.kind == Node::Kind::scalar) return read_file(item, field);
     if (item.kind == Node::Kind::map) return read_inline(item, field);
     if (item.kind != Node::Kind::broken)
       faults_.report(item.place, {.field = field, .message = "must be a file or a scenario"});
   }
 
-  std::vector<StudyScenario> take() { return std::move(scenarios_); }
-
- private:
   void read_file(const Node& item, const std::string& field) {
     if (!faults_.is_word(item, field)) return;
     if (!names_.insert(item.text).second)
@@ -50,7 +76,7 @@ class ScenarioList {
 
   void read_inline(Node item, const std::string& field) {
     set_corners(item);
-    const std::size_t room = kMaxStudyScenarios - std::min(scenarios_.size(), kMaxStudyScenarios);
+    const std::size_t room = kMaxStudyScenarios - std::min(items_.scenarios.size(), kMaxStudyScenarios);
     if (room == 0 || expanded_count(item, room) == 0) {
       return faults_.report(item.place,
                             {.field = field,
@@ -60,7 +86,9 @@ class ScenarioList {
     }
     for (const Expanded& each : expand(item)) {
       const std::string name = field.substr(field.rfind('.') + 1) + (each.chosen.empty() ? "" : " " + each.chosen);
-      if (!read_one(each.node, "scenario " + name, field)) return;  // The others would fail in the same way.
+      const std::string& group = items_.groups[group_];
+      if (!read_one(each.node, group.empty() ? "scenario " + name : group + ": " + name, field))
+        return;  // The others would fail in the same way.
     }
   }
 
@@ -87,7 +115,7 @@ class ScenarioList {
                                   .message = "the scenarios of the study hold too much ground"});
       return false;
     }
-    scenarios_.push_back({.name = name, .world = World(std::move(site))});
+    items_.scenarios.push_back({.name = name, .world = World(std::move(site)), .group = group_});
     return true;
   }
 
@@ -117,14 +145,15 @@ class ScenarioList {
   }
 
   StudyFaults& faults_;
-  std::vector<StudyScenario> scenarios_;
+  ScenarioItems items_;
+  std::size_t group_ = 0;
   std::set<std::string> names_;
   std::size_t size_ = 0;
 };
 
 }  // namespace
 
-std::vector<StudyScenario> read_study_scenarios(const Node& list, StudyFaults& faults) {
+ScenarioItems read_study_scenarios(const Node& list, StudyFaults& faults) {
   ScenarioList scenarios(faults);
   for (std::size_t i = 0; i < list.children.size(); ++i)
     scenarios.read(list.children[i], fmt::format("scenarios.{}", i));

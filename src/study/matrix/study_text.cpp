@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "study/matrix/analysis.hpp"
+#include "study/matrix/by_group.hpp"
 
 namespace alate {
 
@@ -15,9 +16,7 @@ std::string gap_text(const MethodFigures& method) {
   return fmt::format("{:.3f} %{}", method.gap->mean, margin);
 }
 
-}  // namespace
-
-std::string to_text(const Study& study, const StudyRecords& records) {
+std::string part_text(const Study& study, const StudyRecords& records) {
   const StudyAnalysis analysis = analyse(study, records);
   std::size_t width = 8;
   for (const MethodFigures& method : analysis.methods) width = std::max(width, full_name(study, method).size());
@@ -29,6 +28,18 @@ std::string to_text(const Study& study, const StudyRecords& records) {
     const auto valid = std::ranges::count_if(method.records, &StudyRecord::valid);
     text += fmt::format("{:<{}}  {:>11}  {:>20}  {:>6.1f} ms\n", full_name(study, method), width,
                         fmt::format("{} of {}", valid, method.runs), gap_text(method), 1000 * method.mean_s);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const Study& study, const StudyRecords& records) {
+  std::string text;
+  for (const StudyPart& part : parts_of(study, records)) {
+    if (!text.empty()) text += "\n";
+    if (!part.name.empty()) text += part.name + ": ";
+    text += part_text(part.study, part.records);
   }
   return text;
 }
