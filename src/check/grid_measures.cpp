@@ -23,7 +23,7 @@ std::vector<double> heights_of(const HeightGrid& grid, const Route& route) {
     last = *cell;
     heights.push_back(grid.height_at(cell->column, cell->row));
   };
-  GridWalk walk(grid, route.states.front().position.head<2>());
+  GridPassage walk(grid, route.states.front().position.head<2>());
   for (std::size_t i = 1; i < route.states.size(); ++i) {
     for (const Segment& piece : straight_pieces(route, i)) {
       for (const Stretch& stretch : walk.advance(piece.b.head<2>())) pass(stretch);

@@ -57,7 +57,7 @@ std::span<const GridCell> cells_of(const Stretch& stretch) { return {stretch.cel
 
 }  // namespace
 
-Stretch GridWalk::stretch(const Vec2& begin, const Vec2& end) const {
+Stretch GridPassage::stretch(const Vec2& begin, const Vec2& end) const {
   const Vec2 middle = (begin + end) / 2;
   Stretch result{.begin = grid_.origin + begin, .middle = grid_.origin + middle};
   const Vec2 farthest(grid_.columns + 2, grid_.rows + 2);
@@ -72,7 +72,7 @@ Stretch GridWalk::stretch(const Vec2& begin, const Vec2& end) const {
   return result;
 }
 
-std::vector<Stretch> GridWalk::advance(const Vec2& place) {
+std::vector<Stretch> GridPassage::advance(const Vec2& place) {
   const Vec2 to = place - grid_.origin;
   if ((to - at_).norm() <= kRoundingNoise) return {};
   const Vec2 margin = Vec2::Constant(grid_.cell_m);

@@ -26,9 +26,9 @@ struct Stretch {
 
 /// Follows a route over `grid`. Steps within kRoundingNoise of where it stands are joined to the next one, so that a
 /// chain of them hides nothing. Places within kRoundingNoise of a grid line lie on it.
-class GridWalk {
+class GridPassage {
  public:
-  GridWalk(const HeightGrid& grid, const Vec2& start) : grid_(grid), at_(start - grid.origin) {}
+  GridPassage(const HeightGrid& grid, const Vec2& start) : grid_(grid), at_(start - grid.origin) {}
 
   /// The stretches of the straight flight to `place`, in order; parts more than a cell outside the grid left out. At
   /// most columns + rows + 5 of them.

@@ -43,7 +43,7 @@ class Touches {
   }
 
   const HeightGrid& grid_;
-  GridWalk walk_;
+  GridPassage walk_;
   Stretch last_;
   bool came_free_ = false;  ///< `last_` has a free cell.
   bool moved_ = false;
