@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "space/dubins/dubins_point.hpp"
+
 namespace alate {
 
 namespace {
@@ -20,8 +22,8 @@ bool same(const BackwardLabel& a, const BackwardLabel& b) {
 
 FlightPath::FlightPath(const FlightCost& cost, const FlightEnd& end, const Track& track, double z)
     : cost_(&cost), end_(end) {
-  for (const TrackPiece& piece : track) {
-    poses_.push_back(piece.from);
+  for (const PlanarPiece& piece : track) {
+    poses_.push_back(piece.start);
     legs_.push_back({.track = {piece}, .cost = 0});
   }
   // The last arc and straight piece are one leg, to be led to the end as a whole.
@@ -92,12 +94,12 @@ bool FlightPath::make_leg(const PlanarPose& from, const PlanarPose* to, Leg& leg
   const double radius = cost_->band().radius_m();
   leg = {};
   if (to == nullptr) {
-    if (!append_way_to(leg.track, from, end_.place(), radius)) return false;
+    append(leg.track, shortest_dubins_to_point(from, end_.place(), radius));
     cut_at_end(leg.track, end_);
   } else {
     append(leg.track, shortest_dubins(from, *to, radius));
   }
-  for (const TrackPiece& piece : leg.track)
+  for (const PlanarPiece& piece : leg.track)
     if (piece.steering == Steering::straight && piece.length_m < kLeastStraight_m) return false;
   return !leg.track.empty();
 }
@@ -171,13 +173,15 @@ void FlightPath::split(Stream& random) {
   halves[1].assign(track.begin() + static_cast<std::ptrdiff_t>(k), track.end());
   if (track[k].steering == Steering::straight && track[k].length_m > 2 * kLeastStraight_m) {
     const double at = kLeastStraight_m + random.uniform() * (track[k].length_m - 2 * kLeastStraight_m);
-    halves[0].push_back({track[k].from, Steering::straight, at});
-    halves[1].front() = {pose_on(track[k], at, cost_->band().radius_m()), Steering::straight, track[k].length_m - at};
+    halves[0].push_back(track[k]);
+    halves[0].back().length_m = at;
+    halves[1].front().start = track[k].at(at);
+    halves[1].front().length_m -= at;
   }
   if (halves[0].empty()) return;
   std::vector<Leg> legs(2);
   for (std::size_t half = 0; half < 2; ++half) legs[half].track = std::move(halves[half]);
-  const Change change{.from = i, .to = i + 1, .between = {legs[1].track.front().from}};
+  const Change change{.from = i, .to = i + 1, .between = {legs[1].track.front().start}};
   constexpr double kRounding = 1e-6;
   take_if(change, std::move(legs), total_ + kRounding);
 }

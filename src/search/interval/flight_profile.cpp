@@ -20,7 +20,7 @@ std::vector<Gate> gates_of(const BandWalk& band, const Track& track) {
       gates.push_back({at, floor, ceiling});
     }
   };
-  for (const TrackPiece& piece : track)
+  for (const PlanarPiece& piece : track)
     band.follow(piece, [&](const BandPiece& part) {
       add(part.floor_from, part.ceiling_from);
       at += part.length_m;
@@ -30,16 +30,15 @@ std::vector<Gate> gates_of(const BandWalk& band, const Track& track) {
   return gates;
 }
 
-RouteState state_on(const TrackPiece& piece, double at_m, double z, double radius_m, double flown_m) {
-  const PlanarPose pose = pose_on(piece, at_m, radius_m);
+RouteState state_on(const PlanarPiece& piece, double at_m, double z, double flown_m) {
+  const PlanarPose pose = piece.at(at_m);
   RouteState state{.position = {pose.x, pose.y, z}, .leg = LegKind::straight};
   if (piece.steering == Steering::straight) return state;
+  const PlanarArc arc = piece.arc();
   const double side = static_cast<double>(piece.steering);
   state.leg = LegKind::arc;
-  state.arc = Arc{.center = piece.from.position() + side * radius_m * Vec2(-piece.from.sin, piece.from.cos),
-                  .radius_m = radius_m,
-                  .angle_rad = -side * flown_m / radius_m,
-                  .plane = {}};
+  state.arc =
+      Arc{.center = arc.center, .radius_m = arc.radius_m, .angle_rad = -side * flown_m / arc.radius_m, .plane = {}};
   return state;
 }
 
@@ -47,7 +46,7 @@ RouteState state_on(const TrackPiece& piece, double at_m, double z, double radiu
 
 std::optional<Route> fly_track(const BandWalk& band, const Track& track, const Vec3& start, const FlightEnd& end) {
   AltitudeLabel label = AltitudeLabel::at(start.z());
-  for (const TrackPiece& piece : track)
+  for (const PlanarPiece& piece : track)
     if (!band.advance(piece, label)) return std::nullopt;
   const double low = std::max(label.low, end.low());
   const double high = std::min(label.high, end.high());
@@ -57,17 +56,17 @@ std::optional<Route> fly_track(const BandWalk& band, const Track& track, const V
   Route route;
   route.states.push_back({.position = start, .leg = LegKind::start});
   double begin = 0;
-  for (const TrackPiece& piece : track) {
+  for (const PlanarPiece& piece : track) {
     double from = 0;
     for (const ProfilePoint& bend : profile) {
       const double at = bend.at_m - begin;
       constexpr double kLeast_m = 0.01;  // what is left out here is within BandWalk's spare height
       if (at < kLeast_m || at > piece.length_m - kLeast_m || at < from + kLeast_m) continue;
-      route.states.push_back(state_on(piece, at, bend.z, band.radius_m(), at - from));
+      route.states.push_back(state_on(piece, at, bend.z, at - from));
       from = at;
     }
-    route.states.push_back(state_on(piece, piece.length_m, altitude_at(profile, begin + piece.length_m),
-                                    band.radius_m(), piece.length_m - from));
+    route.states.push_back(
+        state_on(piece, piece.length_m, altitude_at(profile, begin + piece.length_m), piece.length_m - from));
     begin += piece.length_m;
   }
   return route;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "space/dubins/dubins_point.hpp"
+
 namespace alate {
 
 namespace {
@@ -24,9 +26,9 @@ Box2 area_of(const World& world) {
 
 void cut_at_end(Track& track, const FlightEnd& end) {
   if (track.empty() || end.radius_m() <= 0) return;
-  TrackPiece& last = track.back();
+  PlanarPiece& last = track.back();
   if (last.steering != Steering::straight) return;
-  const double to_end = (end.place() - last.from.position()).norm();
+  const double to_end = (end.place() - last.start.position()).norm();
   const double cut = std::min(last.length_m, end.radius_m() - std::max(0.0, to_end - last.length_m));
   last.length_m -= cut;
   constexpr double kLeastStraight_m = 0.1;
@@ -81,10 +83,12 @@ void IntervalAStar::add(Node node) {
 
 void IntervalAStar::expand(std::uint32_t from) {
   for (const auto& [steering, length_m] : primitives_) {
-    Node next{.piece = {nodes_[from].pose, steering, length_m}, .label = nodes_[from].label, .parent = from};
+    Node next{.piece = {steering, nodes_[from].pose, length_m, cost_.band().radius_m()},
+              .label = nodes_[from].label,
+              .parent = from};
     const double step = cost_.advance(next.piece, next.label);
     if (!next.label.alive()) continue;
-    next.pose = end_of(next.piece, cost_.band().radius_m());
+    next.pose = next.piece.end();
     next.cost = nodes_[from].cost + step;
     add(next);
   }
@@ -92,10 +96,10 @@ void IntervalAStar::expand(std::uint32_t from) {
 
 std::optional<Track> IntervalAStar::shot(std::uint32_t from, const FlightEnd& end) const {
   Track track;
-  if (!append_way_to(track, nodes_[from].pose, end.place(), cost_.band().radius_m())) return std::nullopt;
+  append(track, shortest_dubins_to_point(nodes_[from].pose, end.place(), cost_.band().radius_m()));
   cut_at_end(track, end);
   AltitudeLabel label = nodes_[from].label;
-  for (const TrackPiece& piece : track)
+  for (const PlanarPiece& piece : track)
     if (!cost_.band().advance(piece, label)) return std::nullopt;
   if (label.low > end.high() || label.high < end.low()) return std::nullopt;
   return track;

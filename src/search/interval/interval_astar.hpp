@@ -51,7 +51,7 @@ class IntervalAStar {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Node {
-    TrackPiece piece;  ///< That led here.
+    PlanarPiece piece;  ///< That led here.
     PlanarPose pose;
     AltitudeLabel label;
     double cost = 0;  ///< Without ascent.

@@ -104,14 +104,14 @@ std::array<Steering, 3> steering_of(DubinsWord word) {
 DubinsPath shortest_dubins(const PlanarPose& from, const PlanarPose& to, double radius_m) {
   const Goal goal = dubins::goal_from(dubins::view(from), dubins::view(to), 1 / radius_m);
   const std::array<double, 6> lengths = word_lengths(goal);
-  const auto shortest = std::ranges::min_element(lengths);
-  const auto word = static_cast<DubinsWord>(shortest - lengths.begin());
+  const auto shortest = static_cast<std::size_t>(std::ranges::min_element(lengths) - lengths.begin());
+  const auto word = static_cast<DubinsWord>(shortest);
   const Turns turns = turns_of(word, goal);
   return {.start = from,
           .radius_m = radius_m,
           .word = word,
           .lengths_m = {radius_m * turns[0], radius_m * turns[1], radius_m * turns[2]},
-          .length_m = radius_m * dubins::not_below_straight(goal, *shortest)};
+          .length_m = radius_m * dubins::not_below_straight(goal, lengths[shortest])};
 }
 
 double dubins_length(const PlanarPose& from, const PlanarPose& to, double radius_m) {

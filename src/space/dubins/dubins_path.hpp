@@ -25,8 +25,9 @@ struct DubinsPath {
 /// The shortest path that turns on circles of `radius_m` > 0 only. Poses must be finite.
 ///
 /// A turn that would come out just below zero is left out rather than made nearly full, where that moves the end by at
-/// most 1e-10 radii plus 16 roundings of the coordinates (dubins_words.hpp); the path then ends beside the goal by no
-/// more than twice that. Beyond it the jumps of Dubins' distance are kept: a goal beside the start is a full turn away.
+/// most 1e-10 radii plus 16 roundings of the coordinates (dubins_words.hpp). A path has three places where this may
+/// happen, so it ends within thrice that of the goal, headings compared on the circle. Beyond it the jumps of Dubins'
+/// distance are kept: a goal right beside the start is nearly a full turn away.
 DubinsPath shortest_dubins(const PlanarPose& from, const PlanarPose& to, double radius_m);
 
 /// Its length alone. Never below the straight line.

@@ -71,17 +71,18 @@ struct Sector {
   double cos, sin;
 };
 
+[[gnu::always_inline]] inline double lesser(double a, double b) { return b < a ? b : a; }
+
 /// Does `v` point into the sector, or past a side of it by no more than `slack` at its tip? Below half a circle the
 /// sector is where two half-planes meet, and on the side of its bisector: with slack, the half-planes of a narrow
 /// sector also meet behind.
 [[gnu::always_inline]] inline bool points_into(const Vector& v, const Sector& sector, double slack) {
-  const bool after_first = v.y >= -slack;
-  const bool before_last = v.x * sector.sin - v.y * sector.cos >= -slack;
-  const bool ahead = v.x * (1 + sector.cos) + v.y * sector.sin >= -2 * slack;
-  const bool narrow = sector.angle <= kPi;
-  const bool in_narrow = after_first & before_last & ahead;
-  const bool in_wide = after_first | before_last;
-  return (narrow & in_narrow) | (!narrow & in_wide);
+  const double after_first = v.y + slack;
+  const double before_last = v.x * sector.sin - v.y * sector.cos + slack;
+  const double ahead = v.x * (1 + sector.cos) + v.y * sector.sin + 2 * slack;
+  const double in_narrow = lesser(lesser(after_first, before_last), ahead);
+  const double in_wide = after_first < before_last ? before_last : after_first;
+  return (sector.angle <= kPi ? in_narrow : in_wide) >= 0;
 }
 
 /// Between the left circles of start and goal.
@@ -167,8 +168,6 @@ struct Between {
   const double length = way.middle + (way.direct ? way.outer.angle : way.outer.angle + 2 * kPi);
   return way.exists ? length : std::numeric_limits<double>::infinity();
 }
-
-[[gnu::always_inline]] inline double lesser(double a, double b) { return b < a ? b : a; }
 
 /// Three arcs are shortest only where circles of start and goal on one side are less than four radii apart, so never
 /// beyond six radii; what comes of them there is infinite anyway.

@@ -56,10 +56,10 @@ BandWalk::BandWalk(const World& world)
   }
 }
 
-bool BandWalk::is_near_core(const TrackPiece& piece) const {
+bool BandWalk::is_near_core(const PlanarPiece& piece) const {
   return std::ranges::any_of(cores_, [&](const Core& core) {
     const double reach = core.reach_m + piece.length_m;
-    return (core.center - piece.from.position()).squaredNorm() < reach * reach;
+    return (core.center - piece.start.position()).squaredNorm() < reach * reach;
   });
 }
 

@@ -39,15 +39,15 @@ class BandWalk {
 
   /// Calls visit(BandPiece) from begin to end; false as soon as the ground ends, is unknown, or `visit` returns false.
   template <class Visit>
-  bool follow(const TrackPiece& piece, const Visit& visit) const {
+  bool follow(const PlanarPiece& piece, const Visit& visit) const {
     const double chord_m = piece.steering == Steering::straight ? piece.length_m : most_chord_m_;
     const int count = std::max(1, static_cast<int>(std::ceil(piece.length_m / chord_m)));
     const double step_m = piece.length_m / count;
     const bool is_arc = piece.steering != Steering::straight;
     const PlanarMotion motion = planar_motion(piece.steering, step_m, radius_m_);
     const bool near_core = is_near_core(piece);
-    Vec2 at = piece.from.position();
-    Vec2 chord = motion.chord_m * turned(piece.from.direction(), motion);
+    Vec2 at = piece.start.position();
+    Vec2 chord = motion.chord_m * turned(piece.start.direction(), motion);
     for (int k = 0; k < count; ++k) {
       const Vec2 next = at + chord;
       if (!follow_chord({at, next, step_m, is_arc ? arc_margin_m_ : 0, near_core}, visit)) return false;
@@ -58,12 +58,12 @@ class BandWalk {
   }
 
   /// Onward along a piece; false if no altitude is left.
-  bool advance(const TrackPiece& piece, AltitudeLabel& label) const {
+  bool advance(const PlanarPiece& piece, AltitudeLabel& label) const {
     return follow(piece, [&](const BandPiece& band) { return pass(band, label); });
   }
   /// Backward along a piece, from its end to its begin.
-  bool advance(const TrackPiece& piece, BackwardLabel& label) const {
-    return follow(reversed(piece, radius_m_), [&](const BandPiece& band) { return pass(band, label); });
+  bool advance(const PlanarPiece& piece, BackwardLabel& label) const {
+    return follow(reversed(piece), [&](const BandPiece& band) { return pass(band, label); });
   }
 
  private:
@@ -104,7 +104,7 @@ class BandWalk {
   static Vec2 turned(const Vec2& v, const PlanarMotion& motion) {
     return {v.x() * motion.half_cos - v.y() * motion.half_sin, v.x() * motion.half_sin + v.y() * motion.half_cos};
   }
-  bool is_near_core(const TrackPiece& piece) const;
+  bool is_near_core(const PlanarPiece& piece) const;
   BandPiece band_over(const Chord& chord, const GroundSpan& span) const;
   void close_cores(const Chord& chord, const GroundSpan& span, BandPiece& band) const;
 

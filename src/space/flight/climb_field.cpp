@@ -123,6 +123,8 @@ void ClimbField::relax(std::size_t cell, const Step& step, std::size_t to, int l
   const float low = here - layer_m_[to];
   const float high = here + layer_m_[to];
   const float spacing = layer_m_[cell];
+  const float* near = &values_[to * kLayers + static_cast<std::size_t>(layer)];
+  const float cheapest = std::min({near[0], layer > 0 ? near[-1] : kNever, layer + 1 < kLayers ? near[1] : kNever});
   const float bottom = floor_[to];
   const float top = floor_[to] + layer_m_[to] * (kLayers - 1);
   for (int from = 0; from < kLayers; ++from) {
@@ -132,7 +134,7 @@ void ClimbField::relax(std::size_t cell, const Step& step, std::size_t to, int l
     if (least > high) break;
     if (most < low || least > most) continue;
     const float metre = metre_cost(cell, from);
-    if (!(metre < kNever)) continue;
+    if (!(metre * step.length_m + cheapest < values_[cell * kLayers + static_cast<std::size_t>(from)])) continue;
     const auto price = [&](float at) { return value_at(to, at) + climb_weight_ * std::max(0.0F, at - z); };
     const float best = std::min(price(std::clamp(here, least, most)), price(std::clamp(z, least, most)));
     offer(cell, from, metre * step.length_m + best);

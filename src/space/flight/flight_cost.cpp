@@ -7,7 +7,7 @@ namespace alate {
 
 FlightCost::FlightCost(const BandWalk& band) : band_(band), weights_(band.world().site().scenario.objective) {}
 
-double FlightCost::advance(const TrackPiece& piece, AltitudeLabel& label) const {
+double FlightCost::advance(const PlanarPiece& piece, AltitudeLabel& label) const {
   const double z = label.free;
   if (!band_.advance(piece, label)) return std::numeric_limits<double>::infinity();
   return weights_.length * piece.length_m + weights_.threat * exposure(piece, z, label.free);
@@ -15,27 +15,27 @@ double FlightCost::advance(const TrackPiece& piece, AltitudeLabel& label) const 
 
 double FlightCost::advance(const Track& track, AltitudeLabel& label) const {
   double sum = 0;
-  for (const TrackPiece& piece : track) {
+  for (const PlanarPiece& piece : track) {
     sum += advance(piece, label);
     if (!label.alive()) return std::numeric_limits<double>::infinity();
   }
   return sum;
 }
 
-bool FlightCost::near_threat(const TrackPiece& piece) const {
+bool FlightCost::near_threat(const PlanarPiece& piece) const {
   return std::ranges::any_of(band_.world().site().threats, [&](const Threat& threat) {
     const double reach = threat.radius_m + piece.length_m;
-    return (threat.center.head<2>() - piece.from.position()).squaredNorm() < reach * reach;
+    return (threat.center.head<2>() - piece.start.position()).squaredNorm() < reach * reach;
   });
 }
 
 /// Along chords of at most an eighth of a circle.
-double FlightCost::exposure(const TrackPiece& piece, double z_from, double z_to) const {
+double FlightCost::exposure(const PlanarPiece& piece, double z_from, double z_to) const {
   if (!near_threat(piece)) return 0;
   const double most = piece.steering == Steering::straight ? piece.length_m : band_.radius_m() * kPi / 4;
   const int count = std::max(1, static_cast<int>(std::ceil(piece.length_m / most)));
   const PlanarMotion motion = planar_motion(piece.steering, piece.length_m / count, band_.radius_m());
-  PlanarPose at = piece.from;
+  PlanarPose at = piece.start;
   double sum = 0;
   for (int k = 0; k < count; ++k) {
     const PlanarPose next = moved(at, motion);

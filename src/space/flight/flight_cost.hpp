@@ -18,12 +18,12 @@ class FlightCost {
   double climb_weight() const { return weights_.climb; }
 
   /// Advances the label; its cost without ascent, infinite if no altitude is left.
-  double advance(const TrackPiece& piece, AltitudeLabel& label) const;
+  double advance(const PlanarPiece& piece, AltitudeLabel& label) const;
   double advance(const Track& track, AltitudeLabel& label) const;
 
  private:
-  double exposure(const TrackPiece& piece, double z_from, double z_to) const;
-  bool near_threat(const TrackPiece& piece) const;
+  double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
+  bool near_threat(const PlanarPiece& piece) const;
 
   const BandWalk& band_;
   ObjectiveSpec weights_;
