@@ -21,6 +21,18 @@ struct SlopeLimits {
   SlopeLimits reversed() const { return {descent, climb}; }
 };
 
+/// Bounds that rounding keeps apart by no more touch: a goal just within reach, seen from both ends, and a floor as
+/// steep as the climb come out to 1e-11 m either way. Floor and ceiling stay hard, the slope gives way.
+inline constexpr double kTouch_m = 1e-9;
+
+/// Cuts [low, high] to a band; leaves low > high where they are apart.
+inline void cut_to(double floor, double ceiling, double& low, double& high) {
+  const double before = low;
+  low = std::max(low, floor);
+  high = std::min(high, ceiling);
+  if (low > high && low <= high + kTouch_m && floor <= ceiling) low = high = std::clamp(before, floor, ceiling);
+}
+
 /// Altitudes in metres; dead where low > high.
 struct AltitudeLabel {
   double low = 0;
@@ -36,8 +48,7 @@ struct AltitudeLabel {
 
   /// At a knot: not below `floor`, not above `ceiling`.
   void clip(double floor, double ceiling) {
-    low = std::max(low, floor);
-    high = std::min(high, ceiling);
+    cut_to(floor, ceiling, low, high);
     ascent += std::max(0.0, low - free);
     free = std::min(std::max(free, low), high);
   }
@@ -66,8 +77,7 @@ struct BackwardLabel {
   double ascent_from(double z) const { return ascent + std::max(0.0, free - z); }
 
   void clip(double floor, double ceiling) {
-    low = std::max(low, floor);
-    high = std::min(high, ceiling);
+    cut_to(floor, ceiling, low, high);
     ascent += std::max(0.0, free - high);
     free = std::min(std::max(free, low), high);
   }
@@ -80,8 +90,9 @@ struct BackwardLabel {
 
 inline std::optional<Meeting> meet(const AltitudeLabel& from_start, const BackwardLabel& to_goal) {
   const double low = std::max(from_start.low, to_goal.low);
-  const double high = std::min(from_start.high, to_goal.high);
-  if (!(low <= high)) return std::nullopt;
+  const double shared_high = std::min(from_start.high, to_goal.high);
+  if (!(low <= shared_high + kTouch_m)) return std::nullopt;
+  const double high = std::max(low, shared_high);
   // The sum is convex and changes its slope at the two free altitudes only.
   const auto at = [&](double z) { return Meeting{from_start.ascent_to(z) + to_goal.ascent_from(z), z}; };
   const Meeting one = at(std::clamp(from_start.free, low, high));
