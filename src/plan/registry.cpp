@@ -43,6 +43,7 @@ const Registry& builtin_planners() {
     registry.add(correction_aco_entry());
     registry.add(jps_entry());
     registry.add(astar_entry());
+    registry.add(theta_star_entry());
     registry.add(grid_aco_entry());
     registry.add(terrain_aco_entry());
     return registry;

@@ -84,6 +84,8 @@ class PlannerLaws : public testing::TestWithParam<Law> {
   static bool arrived(const Plan& plan) {
     return plan.outcome == Outcome::feasible || plan.outcome == Outcome::optimal;
   }
+  /// The shortest way at any angle touches corners, which routes only come close to.
+  static double hair() { return GetParam().planner == "theta-star" ? 1e-6 : 0; }
   bool is_exact() const { return builtin_planners().find(GetParam().planner)->can.exact; }
 
   World world_{problems().at(GetParam().problem)};
@@ -125,7 +127,8 @@ TEST_P(PlannerLaws, TheCostIsWhatTheRouteMeasuresAndNotBelowTheBound) {
 TEST_P(PlannerLaws, OnlyAnExactPlannerClaimsTheOptimum) {
   const Plan plan = run({.iterations = 1});
   EXPECT_EQ(plan.outcome == Outcome::optimal, is_exact());
-  EXPECT_TRUE(!is_exact() || plan.lower_bound == plan.cost);
+  if (!is_exact()) return;
+  EXPECT_LE(plan.cost, plan.lower_bound * (1 + hair()));
 }
 
 TEST_P(PlannerLaws, ActionsReplayToTheSamePositions) {
