@@ -17,7 +17,7 @@ namespace alate {
 
 /// Numbers of a cell along each axis from the lower corner of the map, so that a height grid's row 0 is the last.
 template <int axes>
-using CellAt = std::array<int, axes>;
+using CellAt = std::array<int, static_cast<std::size_t>(axes)>;
 
 template <int axes>
 using CellPlace = Eigen::Matrix<double, axes, 1>;
@@ -170,9 +170,10 @@ auto CellWalk<Map>::clipped(const Place& from, const Place& to) const -> std::op
       if (from[axis] < low || from[axis] > high) return std::nullopt;
       continue;
     }
-    const auto [first, last] = std::minmax((low - from[axis]) / delta[axis], (high - from[axis]) / delta[axis]);
-    enter = std::max(enter, first);
-    leave = std::min(leave, last);
+    const double at_low = (low - from[axis]) / delta[axis];
+    const double at_high = (high - from[axis]) / delta[axis];
+    enter = std::max(enter, std::min(at_low, at_high));
+    leave = std::min(leave, std::max(at_low, at_high));
   }
   if (enter > leave) return std::nullopt;
   return std::pair<Place, Place>{from + enter * delta, from + leave * delta};

@@ -9,10 +9,11 @@
 
 namespace alate {
 
-/// A bucket is 2^kWidthBits wide. Where that is less than the least amount by which a step can raise f = g + h, entries
-/// of one bucket that come out in any order hardly ever have to be looked at again (Denardo and Fox 1979); that they
-/// may is the caller's business. Entries lie in one array, linked by bucket; their places are used again.
-template <class Entry, unsigned kWidthBits>
+/// A bucket is 2^kWidthBits wide; 24 suits OctileCost. Where that is less than the least amount by which a step can
+/// raise f = g + h, entries of one bucket that come out in any order hardly ever have to be looked at again (Denardo
+/// and Fox 1979); that they may is the caller's business. Entries lie in one array, linked by bucket; their places are
+/// used again.
+template <class Entry, unsigned kWidthBits = 24>
 class BucketQueue {
  public:
   using Priority = std::uint64_t;

@@ -26,11 +26,12 @@ class VoxelMoves {
   static const VoxelMoves& table();
 
   static VoxelCost cost(unsigned direction) { return kCosts[kVoxelKinds[direction]]; }
+  bool is_free(unsigned direction, Set blocked) const { return (boxes_[direction] & blocked) == 0; }
   /// All moves that are free.
   Set free(Set blocked) const {
     Set moves = 0;
     for (unsigned d = 0; d < kVoxelDirections; ++d)
-      if (d != kNoVoxelDirection && (boxes_[d] & blocked) == 0) moves |= Set{1} << d;
+      if (d != kNoVoxelDirection && is_free(d, blocked)) moves |= Set{1} << d;
     return moves;
   }
   /// The free moves that may follow a step `came` into the middle.
@@ -38,7 +39,7 @@ class VoxelMoves {
     Set moves = 0;
     for (Set rest = candidates_[came]; rest != 0; rest &= rest - 1) {
       const auto next = static_cast<unsigned>(std::countr_zero(rest));
-      if ((boxes_[next] & blocked) == 0 && !is_needless(came, next, blocked)) moves |= Set{1} << next;
+      if (is_free(next, blocked) && !is_needless(came, next, blocked)) moves |= Set{1} << next;
     }
     return moves;
   }
