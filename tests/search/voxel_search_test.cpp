@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
+#include "data/scen_file.hpp"
 #include "search/voxel/voxel_astar.hpp"
 #include "search/voxel/voxel_jps.hpp"
+#include "support/shared_data.hpp"
 #include "support/voxel_sites.hpp"
 
 namespace alate {
@@ -117,6 +120,27 @@ TYPED_TEST(VoxelSearch, AStoppedSearchProvesNothing) {
   EXPECT_FALSE(way.finished);
 }
 
+/// A share of the rows of two maps; fewer for A*, which takes longer.
+TYPED_TEST(VoxelSearch, ReachesThePublishedOptima) {
+  ALATE_NEEDS_SHARED_DATA("movingai/3d");
+  constexpr std::size_t kEvery = std::is_same_v<TypeParam, VoxelJps> ? 20 : 200;
+  std::size_t rows = 0;
+  for (const std::string name : {"Simple", "Complex"}) {
+    std::vector<Fault> faults;
+    const auto scen = read_voxel_scen_file(test::shared_data("movingai/3d/" + name + ".3dmap.3dscen").string(), faults);
+    ASSERT_TRUE(scen.has_value()) << to_string(faults.front());
+    const VoxelBits bits(scen->voxels);
+    TypeParam search(bits);
+    for (std::size_t i = 0; i < scen->rows.size(); i += kEvery) {
+      const VoxelScenRow& row = scen->rows[i];
+      const VoxelWay way = this->find(search, row.start, row.goal);
+      EXPECT_NEAR(way.length.value(), row.optimum, scen_tolerance(row.optimum)) << name << " row " << i;
+      ++rows;
+    }
+  }
+  EXPECT_EQ(rows, 2 * 10'000 / kEvery);
+}
+
 TEST(VoxelMoves, WithoutWallsOnlyTheNaturalSuccessorsAreLeft) {
   const VoxelMoves& moves = VoxelMoves::table();
   for (unsigned came = 0; came < kVoxelDirections; ++came) {
@@ -153,39 +177,24 @@ TEST(VoxelBits, RunsStopWhereAWallBesideEnds) {
   EXPECT_FALSE(bits.is_beside_wall(VoxelBits::place({97, 1, 1})));
 }
 
-/// No whole numbers up to 97 000 but zeros make a way of no cost: the lattice of those that do, reduced.
+/// No whole numbers up to 97 000 but zeros make a way of no cost. Those that do form a lattice at right angles to the
+/// costs. These two are a base of it, as their cross product is the costs, which have no common divisor; and as it is
+/// reduced (Gauss), none of the lattice is shorter than the first.
 TEST(VoxelCost, TakesNoTwoLengthsForEqual) {
-  using Vector = std::array<__int128, 3>;
-  const Vector costs{__int128{kVoxelStraight}, __int128{kVoxelDiagonal}, __int128{kVoxelTriple}};
-  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  // A base of the lattice: extended Euclid on the first two costs, whose greatest divisor divides the third or not.
-  __int128 g = costs[0], h = costs[1], u = 1, v = 0, p = 0, q = 1;
-  while (h != 0) {
-    const __int128 times = g / h;
-    std::swap(g -= times * h, h);
-    std::swap(u -= times * p, p);
-    std::swap(v -= times * q, q);
+  using Numbers = std::array<std::int64_t, 3>;
+  constexpr Numbers kFirst{-153'704, 56'075, 42'956};
+  constexpr Numbers kSecond{-87'285, -98'783, 131'050};
+  constexpr Numbers kCosts{kVoxelStraight, kVoxelDiagonal, kVoxelTriple};
+  const auto dot = [](const Numbers& a, const Numbers& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    EXPECT_EQ(kFirst.at(j) * kSecond.at(k) - kFirst.at(k) * kSecond.at(j), kCosts.at(i));
   }
-  __int128 third = 1;
-  while (third * costs[2] % g != 0) ++third;
-  const __int128 factor = -third * costs[2] / g;
-  Vector a{costs[1] / g, -costs[0] / g, 0};
-  Vector b{u * factor, v * factor, third};
-  // v is of the size of the costs, so the products stay below 2^127 once b is brought near a.
-  const __int128 shift = b[0] / a[0];
-  for (std::size_t i = 0; i < 3; ++i) b.at(i) -= shift * a.at(i);
-  for (;;) {
-    ASSERT_EQ(dot(a, costs), 0);
-    ASSERT_EQ(dot(b, costs), 0);
-    if (dot(a, a) > dot(b, b)) std::swap(a, b);
-    const __int128 twice = 2 * dot(a, b) + dot(a, a);
-    const __int128 whole = 2 * dot(a, a);
-    __int128 times = twice / whole;
-    if (twice % whole != 0 && twice < 0) --times;
-    if (times == 0) break;
-    for (std::size_t i = 0; i < 3; ++i) b.at(i) -= times * a.at(i);
-  }
-  EXPECT_GT(dot(a, a), __int128{3} * 97'000 * 97'000);
+  EXPECT_EQ(std::gcd(std::gcd(kCosts[0], kCosts[1]), kCosts[2]), 1);
+  EXPECT_LE(2 * std::abs(dot(kFirst, kSecond)), dot(kFirst, kFirst));
+  EXPECT_LE(dot(kFirst, kFirst), dot(kSecond, kSecond));
+  EXPECT_GT(dot(kFirst, kFirst), std::int64_t{3} * 97'000 * 97'000);
   const auto off = [](VoxelCost cost, long double root) {
     return std::abs(static_cast<long double>(cost) - root * static_cast<long double>(kVoxelStraight));
   };
