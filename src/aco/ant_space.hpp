@@ -14,7 +14,7 @@ namespace alate {
 template <class S>
 concept ColonySpace = requires(const S& space, std::span<const std::uint32_t> actions) {
   /// Exact cost until the first arrival; nothing if a move may not be flown, or none arrives.
-  { space.fly(actions) } -> std::convertible_to<std::optional<Flight>>;
+  { space.fly(actions) } -> std::convertible_to<std::optional<FlownActions>>;
 };
 
 /// What ants ask that look at arrays of choices.

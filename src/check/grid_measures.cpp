@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "check/cell_walk.hpp"
+#include "check/cell_passage.hpp"
 #include "check/leg_shape.hpp"
 
 namespace alate {
@@ -24,7 +24,7 @@ std::vector<double> heights_of(const HeightGrid& grid, const Route& route) {
     last = cell;
     heights.push_back(grid.height_at(cell[0], map.row(cell)));
   };
-  CellWalk walk(map, route.states.front().position.head<2>());
+  CellPassage walk(map, route.states.front().position.head<2>());
   for (std::size_t i = 1; i < route.states.size(); ++i) {
     for (const Segment& piece : straight_pieces(route, i)) {
       for (const Stretch<2>& stretch : walk.advance(piece.b.head<2>())) pass(stretch);

@@ -144,7 +144,7 @@ class OnItsMap {
 }  // namespace
 
 PlannerEntry with_voxels(PlannerEntry entry, const std::function<Planner()>& make_voxels) {
-  entry.can.space += " or voxels";
+  entry.can.voxels = true;
   entry.refuses = [on_grid = entry.refuses](const Problem& problem) {
     return problem.world.site().voxels ? voxel_refusal(problem) : on_grid(problem);
   };

@@ -47,8 +47,8 @@ void AttitudeAnts::look_in_double(const State& state, Choices& out) const {
   narrow(out.wide.guide, out.guide);
 }
 
-std::optional<Flight> AttitudeAnts::fly(std::span<const std::uint32_t> actions) const {
-  Flight flight;
+std::optional<FlownActions> AttitudeAnts::fly(std::span<const std::uint32_t> actions) const {
+  FlownActions flight;
   State state = start();
   for (const std::uint32_t k : actions) {
     State ahead = next(state, k);

@@ -43,7 +43,7 @@ class AttitudeAnts {
 
   /// Flies `actions` from the start in double until the first arrival; nothing if a move may not be flown, or none
   /// arrives.
-  std::optional<Flight> fly(std::span<const std::uint32_t> actions) const;
+  std::optional<FlownActions> fly(std::span<const std::uint32_t> actions) const;
 
   double move_cost(const State& from, const State& to) const { return space_.move_cost(from, to); }
   double lower_bound(const State& state) const { return space_.lower_bound(state); }

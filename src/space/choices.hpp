@@ -28,7 +28,7 @@ struct Choices {
 };
 
 /// What a string of actions costs until its first arrival, and how many of them that takes.
-struct Flight {
+struct FlownActions {
   double cost = 0;
   std::size_t moves = 0;
   std::vector<float> costs;  ///< Of each move.

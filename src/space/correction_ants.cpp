@@ -23,8 +23,8 @@ void CorrectionAnts::look(const State& state, Choices& out) const {
   }
 }
 
-std::optional<Flight> CorrectionAnts::fly(std::span<const std::uint32_t> actions) const {
-  Flight flight;
+std::optional<FlownActions> CorrectionAnts::fly(std::span<const std::uint32_t> actions) const {
+  FlownActions flight;
   State state = start();
   for (const std::uint32_t k : actions) {
     const Successors::Arc& arc = successors_.of(state.node)[k];

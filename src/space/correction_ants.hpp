@@ -42,7 +42,7 @@ class CorrectionAnts {
   Eigen::Vector3f place(const State& state) const { return place(state.node); }
 
   /// F of a string of actions; nothing if it breaks a limit, meets an obstacle, or does not arrive.
-  std::optional<Flight> fly(std::span<const std::uint32_t> actions) const;
+  std::optional<FlownActions> fly(std::span<const std::uint32_t> actions) const;
 
   /// Points on the way, without start and goal.
   PointString points(std::span<const std::uint32_t> actions) const;

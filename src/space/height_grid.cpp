@@ -109,8 +109,8 @@ double GridSpace::deviation(std::span<const std::uint32_t> directions) const {
   return standard_deviation(heights);
 }
 
-std::optional<Flight> GridSpace::fly(std::span<const std::uint32_t> directions) const {
-  Flight flight;
+std::optional<FlownActions> GridSpace::fly(std::span<const std::uint32_t> directions) const {
+  FlownActions flight;
   flight.moves = directions.size();
   Cell cell = start_;
   for (const std::uint32_t d : directions) {

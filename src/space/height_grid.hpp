@@ -78,7 +78,7 @@ class GridSpace {
   const GridScore& rule() const { return score_; }
 
   /// Score and step costs of a string of directions; nothing if a move is not free or the goal is not reached.
-  std::optional<Flight> fly(std::span<const std::uint32_t> directions) const;
+  std::optional<FlownActions> fly(std::span<const std::uint32_t> directions) const;
 
   /// From `from` all cells that moves lead to, 1 for reached.
   std::vector<std::uint8_t> flood(Cell from) const;

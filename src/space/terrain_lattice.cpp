@@ -81,12 +81,12 @@ void TerrainLattice::count_faults(std::span<const Edge> edges, LatticeFlight& fl
   if (!moves_.rules().filters) flight.score += score_.rule().penalty * static_cast<double>(faults.of_constraints());
 }
 
-std::optional<Flight> TerrainLattice::fly(std::span<const std::uint32_t> actions) const {
+std::optional<FlownActions> TerrainLattice::fly(std::span<const std::uint32_t> actions) const {
   const auto string = edges(actions);
   if (!string) return std::nullopt;
   const LatticeFlight judged = judge(*string);
   if (!judged.is_route) return std::nullopt;
-  Flight flight{.cost = judged.score, .moves = actions.size(), .costs = {}};
+  FlownActions flight{.cost = judged.score, .moves = actions.size(), .costs = {}};
   for (const Edge edge : *string) flight.costs.push_back(static_cast<float>(score_.of_move(edge / kRow, edge % kRow)));
   return flight;
 }

@@ -55,7 +55,7 @@ class TerrainLattice {
   LatticeFlight judge(std::span<const Edge> edges) const;
 
   /// Cost of a route; nothing unless the moves are one.
-  std::optional<Flight> fly(std::span<const std::uint32_t> actions) const;
+  std::optional<FlownActions> fly(std::span<const std::uint32_t> actions) const;
 
   /// Nodes of such a string from the start on, and the goal.
   std::vector<Vec3> places(std::span<const std::uint32_t> actions) const;

@@ -26,7 +26,7 @@ std::string mean_words(const Interval& mean) {
 
 using Judge = ClaimVerdict (*)(const Interval&, double);
 
-Part judged(const Effect& effect, Judge judge, double limit) {
+ClaimPart judged(const Effect& effect, Judge judge, double limit) {
   if (!effect.change) return {.words = fmt::format("{}: too few runs.", effect.what)};
   const std::string figure = effect.is_change ? change_words(*effect.change, effect.unit) : mean_words(*effect.change);
   return {.words = fmt::format("{}: {}.", effect.what, figure), .verdict = judge(*effect.change, limit)};
@@ -53,19 +53,19 @@ Effect plain_effect(std::string what, std::string unit, const std::optional<Inte
   return {.what = std::move(what), .unit = std::move(unit), .change = difference, .hardly = kHardly};
 }
 
-Part falls(const Effect& effect) {
+ClaimPart falls(const Effect& effect) {
   return judged(
       effect, [](const Interval& change, double hardly) { return decide(change.high < 0, change.low >= -hardly); },
       effect.hardly);
 }
 
-Part rises(const Effect& effect) {
+ClaimPart rises(const Effect& effect) {
   return judged(
       effect, [](const Interval& change, double hardly) { return decide(change.low > 0, change.high <= hardly); },
       effect.hardly);
 }
 
-Part hardly_changes(const Effect& effect) {
+ClaimPart hardly_changes(const Effect& effect) {
   return judged(
       effect,
       [](const Interval& change, double hardly) {
@@ -74,7 +74,7 @@ Part hardly_changes(const Effect& effect) {
       effect.hardly);
 }
 
-Part falls_to(const Effect& effect, double published) {
+ClaimPart falls_to(const Effect& effect, double published) {
   return judged(
       effect,
       [](const Interval& change, double limit) {
@@ -83,26 +83,26 @@ Part falls_to(const Effect& effect, double published) {
       published);
 }
 
-Part at_most(const std::string& what, const std::optional<Interval>& mean, double limit) {
+ClaimPart at_most(const std::string& what, const std::optional<Interval>& mean, double limit) {
   return judged(
       {.what = what, .unit = "", .change = mean, .is_change = false},
       [](const Interval& value, double most) { return decide(value.high <= most, value.low > most); }, limit);
 }
 
-Part above(const std::string& what, const std::optional<Interval>& mean, double limit) {
+ClaimPart above(const std::string& what, const std::optional<Interval>& mean, double limit) {
   return judged(
       {.what = what, .unit = "", .change = mean, .is_change = false},
       [](const Interval& value, double least) { return decide(value.low > least, value.high <= least); }, limit);
 }
 
-ClaimVerdict all_of(const std::vector<Part>& parts) {
-  const auto is = [](ClaimVerdict verdict) { return [=](const Part& part) { return part.verdict == verdict; }; };
+ClaimVerdict all_of(const std::vector<ClaimPart>& parts) {
+  const auto is = [](ClaimVerdict verdict) { return [=](const ClaimPart& part) { return part.verdict == verdict; }; };
   return decide(!parts.empty() && std::ranges::all_of(parts, is(ClaimVerdict::holds)),
                 std::ranges::any_of(parts, is(ClaimVerdict::does_not_hold)));
 }
 
-ClaimVerdict any_of(const std::vector<Part>& parts) {
-  const auto is = [](ClaimVerdict verdict) { return [=](const Part& part) { return part.verdict == verdict; }; };
+ClaimVerdict any_of(const std::vector<ClaimPart>& parts) {
+  const auto is = [](ClaimVerdict verdict) { return [=](const ClaimPart& part) { return part.verdict == verdict; }; };
   return decide(std::ranges::any_of(parts, is(ClaimVerdict::holds)),
                 !parts.empty() && std::ranges::all_of(parts, is(ClaimVerdict::does_not_hold)));
 }

@@ -11,7 +11,7 @@
 namespace alate {
 
 /// One sentence of a claim, judged.
-struct Part {
+struct ClaimPart {
   std::string words;  ///< What was found, with its interval.
   ClaimVerdict verdict = ClaimVerdict::cannot_be_told;
 };
@@ -31,22 +31,22 @@ Effect percent_effect(std::string what, const std::optional<Interval>& percent);
 Effect plain_effect(std::string what, std::string unit, const std::optional<Interval>& difference);
 
 /// Lower: holds where the whole interval lies below 0; does not where none of it lies below a negligible change.
-Part falls(const Effect& effect);
+ClaimPart falls(const Effect& effect);
 /// Higher, likewise.
-Part rises(const Effect& effect);
+ClaimPart rises(const Effect& effect);
 /// Holds where the whole interval is a negligible change; does not where none of it is.
-Part hardly_changes(const Effect& effect);
+ClaimPart hardly_changes(const Effect& effect);
 /// A fall as large as `published` (< 0): holds where the interval lies below 0 and reaches it, does not where none of
 /// it does.
-Part falls_to(const Effect& effect, double published);
+ClaimPart falls_to(const Effect& effect, double published);
 /// A mean, at most `limit`; above it.
-Part at_most(const std::string& what, const std::optional<Interval>& mean, double limit);
-Part above(const std::string& what, const std::optional<Interval>& mean, double limit);
+ClaimPart at_most(const std::string& what, const std::optional<Interval>& mean, double limit);
+ClaimPart above(const std::string& what, const std::optional<Interval>& mean, double limit);
 
 /// All parts must hold; one that does not decides.
-ClaimVerdict all_of(const std::vector<Part>& parts);
+ClaimVerdict all_of(const std::vector<ClaimPart>& parts);
 /// One part must hold; where none does, one that cannot be told decides.
-ClaimVerdict any_of(const std::vector<Part>& parts);
+ClaimVerdict any_of(const std::vector<ClaimPart>& parts);
 
 /// "-0.31 % (-0.52 to -0.10)".
 std::string change_words(const Interval& change, const std::string& unit);

@@ -51,8 +51,8 @@ struct LineAnts {
   }
   static bool is_free(const State& /*from*/, const State& to) { return to.place != -1 || to.step != 1; }
   bool is_goal(const State& state) const { return state.step == length; }
-  std::optional<Flight> fly(std::span<const std::uint32_t> actions) const {
-    Flight flight;
+  std::optional<FlownActions> fly(std::span<const std::uint32_t> actions) const {
+    FlownActions flight;
     State state = start();
     for (const std::uint32_t k : actions) {
       state = next(state, k);

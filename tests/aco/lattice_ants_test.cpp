@@ -132,6 +132,16 @@ TEST(DualStrategy, CanTakePheromoneAway) {
   EXPECT_NEAR(double{path.trail.level(path.ant.keys[0])}, 0.1, 1e-6);
 }
 
+unsigned choose(const LatticeTable& table, Node node, unsigned came, Stream& stream) {
+  LatticeStands alone{.count = 1};
+  alone.node[0] = node;
+  alone.came[0] = came;
+  alone.bits[0] = stream.bits();
+  LatticeStands::Moves moves{};
+  table.choose(alone, moves);
+  return moves[0];
+}
+
 /// Shares of 40000 draws against the weights, the last move masking some of them.
 TEST(LatticeTable, DrawsInProportionUnderTheMask) {
   LatticeRules rules;
@@ -149,7 +159,7 @@ TEST(LatticeTable, DrawsInProportionUnderTheMask) {
   constexpr int kDraws = 40000;
   Stream stream(1, 1, 1);
   for (int i = 0; i < kDraws; ++i) {
-    const unsigned move = table(node, 2, stream);
+    const unsigned move = choose(table, node, 2, stream);
     ASSERT_LT(move, 25U);
     ++drawn[move];
   }
@@ -167,11 +177,41 @@ TEST(LatticeTable, TakesTheHeaviestWithChanceQ0) {
   table.prepare(path.trail, 0, 0);
   Stream stream(1, 1, 1);
   const Node start = flat.lattice.frame().start();
-  const unsigned low = table(start, TerrainLattice::kFirst, stream);
+  const unsigned low = choose(table, start, TerrainLattice::kFirst, stream);
   EXPECT_EQ(low, 10U);  // straight on, two levels down: eq. (12) wants to be low
   path.trail.add(path.ant.keys[0], 100);
   table.prepare(path.trail, 1, 0);
-  EXPECT_EQ(table(start, TerrainLattice::kFirst, stream), kAhead);
+  EXPECT_EQ(choose(table, start, TerrainLattice::kFirst, stream), kAhead);
+}
+
+/// Who takes the best and who draws is told apart: nobody may take another one's move.
+TEST(LatticeTable, ChoosesForEachAntAsIfItWereAlone) {
+  const Flat flat;
+  const LatticeFrame& frame = flat.lattice.frame();
+  LatticeTable table(flat.lattice, terrain_factor_table(flat.lattice, {.beta = 2}), {.q0 = {.initial = 0.5}});
+  Path path(flat.lattice);
+  table.prepare(path.trail, 0, 0);
+  for (std::size_t count = 0; count <= LatticeStands::kMost; ++count) {
+    LatticeStands together{.count = count};
+    Stream stream(3, count, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto came = static_cast<unsigned>(stream.below(25));
+      together.node[i] = frame.after(frame.start(), came);
+      together.came[i] = came;
+      together.bits[i] = stream.bits();
+    }
+    LatticeStands::Moves moves{};
+    table.choose(together, moves);
+    for (std::size_t i = 0; i < count; ++i) {
+      LatticeStands alone{.count = 1};
+      alone.node[0] = together.node[i];
+      alone.came[0] = together.came[i];
+      alone.bits[0] = together.bits[i];
+      LatticeStands::Moves its{};
+      table.choose(alone, its);
+      EXPECT_EQ(moves[i], its[0]) << i << " of " << count;
+    }
+  }
 }
 
 TEST(LatticeTable, IsTheSameForTrailsOnNodes) {
@@ -186,7 +226,7 @@ TEST(LatticeTable, IsTheSameForTrailsOnNodes) {
   Stream stream(1, 1, 1);
   for (const unsigned first : {7U, 12U, 17U}) {  // from the right, straight on, from the left
     const Node node = frame.after(frame.start(), first);
-    EXPECT_EQ(frame.after(node, table(node, first, stream)), ahead) << first;
+    EXPECT_EQ(frame.after(node, choose(table, node, first, stream)), ahead) << first;
   }
 }
 

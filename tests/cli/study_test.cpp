@@ -110,8 +110,9 @@ TEST_F(StudyRun, SpreadsOverRanks) {
   ASSERT_EQ(alate(words("alone")).code, 0);
   for (const char* ranks : {"1", "2", "4"}) {
     Command command = alate_command(words(std::string("ranks") + ranks, "1"));
-    const std::vector<std::string> mpirun{"/usr/bin/env",    "mpirun", "--allow-run-as-root",
-                                          "--oversubscribe", "-n",     ranks};
+    // Open MPI leaves some of its own memory behind.
+    const std::vector<std::string> mpirun{
+        "/usr/bin/env", "ASAN_OPTIONS=detect_leaks=0", "mpirun", "--allow-run-as-root", "--oversubscribe", "-n", ranks};
     command.words.insert(command.words.begin(), mpirun.begin(), mpirun.end());
     const Finished done = run(command);
     ASSERT_EQ(done.code, 0) << done.err;

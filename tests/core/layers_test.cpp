@@ -1,12 +1,14 @@
 // The house has floors: an include may only point downward (docs/architecture.md).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -40,6 +42,43 @@ void expect_downward(const fs::path& file, const std::string& module) {
     if (!kMayInclude.contains(included)) continue;
     EXPECT_TRUE(kMayInclude.at(module).contains(included)) << file << " includes upward or sideways: " << line;
   }
+}
+
+/// Types of a file that other files can see: outside unnamed namespaces, with the namespaces around them.
+std::set<std::string> types_of(const fs::path& file) {
+  static const std::regex kNamespace(R"re(^(?:inline )?namespace ([a-z0-9_:]*) ?\{)re");
+  static const std::regex kEnd(R"re(^\}\s*// namespace ?([a-z0-9_:]*))re");
+  static const std::regex kType(
+      R"re(^(?:struct|class|enum|enum class) (?:alignas\([^)]*\) )?(\w+)(?: final)?(?: :.*)?(?: \{|$))re");
+  std::set<std::string> types;
+  std::vector<std::string> around;
+  std::ifstream text(file);
+  std::smatch match;
+  for (std::string line; std::getline(text, line);) {
+    if (std::regex_search(line, match, kNamespace)) around.push_back(match[1].str());
+    if (std::regex_search(line, match, kEnd) && !around.empty()) around.pop_back();
+    if (!std::regex_search(line, match, kType) || std::ranges::count(around, "") > 0) continue;
+    std::string name;
+    for (const std::string& space : around) name += space + "::";
+    types.insert(name + match[1].str());
+  }
+  return types;
+}
+
+/// Two types of one name in one namespace are undefined behaviour that no compiler tells: the linker takes one of them.
+TEST(Layers, NoTwoTypesShareAName) {
+  std::map<std::string, fs::path> seen;
+  for (const std::string root : {"src", "include/alate", "apps"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ALATE_SOURCE_DIR) / root)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".hpp" && extension != ".cpp") continue;
+      for (const std::string& type : types_of(entry.path())) {
+        const auto [first, is_new] = seen.emplace(type, entry.path());
+        EXPECT_TRUE(is_new) << type << " is in " << first->second << " and in " << entry.path();
+      }
+    }
+  EXPECT_GT(seen.size(), 300U);
+  EXPECT_TRUE(seen.contains("alate::Site"));
 }
 
 TEST(Layers, IncludesPointDownward) {

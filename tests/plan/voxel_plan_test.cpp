@@ -74,7 +74,7 @@ TEST(VoxelPlan, OnlyPlannersAmongVoxelsServe) {
   const World world(test::voxel_site(VoxelGrid({4, 4, 4})));
   for (const PlannerEntry& entry : builtin_planners().entries()) {
     const std::string refusal = entry.refuses(Problem(world));
-    EXPECT_EQ(refusal.empty(), entry.can.space.ends_with("voxels")) << entry.name;
+    EXPECT_EQ(refusal.empty(), entry.can.voxels) << entry.name;
   }
   const ChosenPlanner chosen = choose_planner(builtin_planners(), Problem(world), {});
   EXPECT_EQ(chosen.name, "jps");

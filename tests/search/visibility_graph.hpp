@@ -45,8 +45,10 @@ inline bool is_pinched(const HeightGrid& grid, std::int64_t column, std::int64_t
 
 /// May a straight line lead from one point to another, along sides and past corners too?
 inline bool is_legal(const HeightGrid& grid, HalfPoint a, HalfPoint b) {
-  for (std::int64_t row = -1; row <= grid.rows; ++row)
-    for (std::int64_t column = -1; column <= grid.columns; ++column)
+  const auto [left, right] = std::minmax(a[0], b[0]);
+  const auto [top, bottom] = std::minmax(a[1], b[1]);
+  for (std::int64_t row = top / 2 - 1; row <= bottom / 2; ++row)
+    for (std::int64_t column = left / 2 - 1; column <= right / 2; ++column)
       if (wall_at(grid, column, row) && cuts(a, b, column, row)) return false;
   const std::int64_t pieces = std::gcd(b[0] - a[0], b[1] - a[1]);
   if (pieces == 0) return true;

@@ -174,7 +174,7 @@ TEST(Yin2021Judgement, NeedsIntervalsOnOneSide) {
   EXPECT_EQ(falls_to(effect, -6.4).verdict, ClaimVerdict::does_not_hold);
   EXPECT_EQ(falls(effect).words, "L: -3.00 % (-4.00 to -2.00).");
   effect.change = Interval{0, -8, 8};
-  for (const Part& part : {falls(effect), rises(effect), hardly_changes(effect), falls_to(effect, -6.4)})
+  for (const ClaimPart& part : {falls(effect), rises(effect), hardly_changes(effect), falls_to(effect, -6.4)})
     EXPECT_EQ(part.verdict, ClaimVerdict::cannot_be_told) << part.words;
   effect.change = Interval{0, -0.5, 0.5};
   EXPECT_EQ(falls(effect).verdict, ClaimVerdict::does_not_hold);
@@ -182,9 +182,9 @@ TEST(Yin2021Judgement, NeedsIntervalsOnOneSide) {
 }
 
 TEST(Yin2021Judgement, JoinsParts) {
-  const Part holds{.words = "", .verdict = ClaimVerdict::holds};
-  const Part fails{.words = "", .verdict = ClaimVerdict::does_not_hold};
-  const Part open{.words = ""};
+  const ClaimPart holds{.words = "", .verdict = ClaimVerdict::holds};
+  const ClaimPart fails{.words = "", .verdict = ClaimVerdict::does_not_hold};
+  const ClaimPart open{.words = ""};
   EXPECT_EQ(all_of({holds, holds}), ClaimVerdict::holds);
   EXPECT_EQ(all_of({holds, open}), ClaimVerdict::cannot_be_told);
   EXPECT_EQ(all_of({holds, open, fails}), ClaimVerdict::does_not_hold);

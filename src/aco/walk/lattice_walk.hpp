@@ -16,6 +16,7 @@
 #include "aco/ant.hpp"
 #include "aco/pheromone/lattice_cells.hpp"
 #include "aco/pheromone/trail.hpp"
+#include "aco/walk/lattice_stands.hpp"
 #include "alate/core/run_context.hpp"
 #include "alate/core/stream.hpp"
 #include "space/terrain_lattice.hpp"
@@ -74,7 +75,8 @@ class LatticeWalk {
  private:
   using Node = TerrainLattice::Node;
   using Edge = TerrainLattice::Edge;
-  static constexpr std::size_t kBatch = 16;
+  static constexpr std::size_t kCrews = 2;
+  static constexpr std::size_t kBatch = kCrews * LatticeStands::kMost;
   static constexpr double kKm = 1000;  ///< Deposits over length are in km.
 
   /// One iteration.
@@ -85,12 +87,15 @@ class LatticeWalk {
     RunContext& run;
   };
   struct Slot {
-    Node node = 0;
-    unsigned came = TerrainLattice::kFirst;
     std::size_t follows = 0;  ///< So many moves of the best route.
     std::size_t ant = 0;
     std::size_t moves = 0;
     Stream stream{0, 0, 0};
+  };
+  /// While one waits for nodes to come from memory, the other chooses.
+  struct Crew {
+    LatticeStands stands;
+    std::array<std::size_t, LatticeStands::kMost> slot{};
   };
   struct Batch {
     std::array<Slot, kBatch> slots;
@@ -117,37 +122,45 @@ class LatticeWalk {
   }
 
   void set_out(const Shift& shift, std::size_t ant, Slot& slot) const {
-    slot = {.node = lattice_.frame().start(),
-            .came = TerrainLattice::kFirst,
-            .follows = 0,
-            .ant = ant,
-            .moves = 0,
-            .stream = Stream(shift.run.seed(), shift.run.iterations(), ant)};
+    slot = {.follows = 0, .ant = ant, .moves = 0, .stream = Stream(shift.run.seed(), shift.run.iterations(), ant)};
     shift.ants[ant].restart();
     if (options_.follow == 0 || !shift.best.arrived() || shift.best.actions.empty()) return;
     if (slot.stream.uniform() < options_.follow) slot.follows = slot.stream.below(shift.best.actions.size());
   }
 
-  /// Slots that are dropped change places with the last ones that still walk.
   void step_all(const Shift& shift, Batch& batch, std::size_t count) const {
-    std::array<std::uint8_t, kBatch> active{};
-    std::iota(active.begin(), active.end(), std::uint8_t{0});
-    for (std::size_t plane = 0; plane < lattice_.walk_length(); ++plane) {
-      for (std::size_t i = 0; i < count;) {
-        Slot& slot = batch.slots[active[i]];
-        const unsigned move =
-            plane < slot.follows ? shift.best.actions[plane] : shift.policies.choice(slot.node, slot.came, slot.stream);
-        if (move >= TerrainLattice::kRow) {
-          active[i] = active[--count];
-          continue;
-        }
-        batch.path[active[i] * lattice_.walk_length() + plane] = TerrainLattice::kRow * slot.node + move;
-        slot.moves = plane + 1;
-        slot.node = lattice_.frame().after(slot.node, move);
-        slot.came = move;
-        shift.policies.choice.fetch(slot.node);
-        ++i;
+    std::array<Crew, kCrews> crews;
+    for (std::size_t c = 0; c < kCrews; ++c) {
+      const std::size_t first = c * LatticeStands::kMost;
+      crews[c].stands.count = std::min(count - std::min(count, first), LatticeStands::kMost);
+      crews[c].stands.node.fill(lattice_.frame().start());
+      crews[c].stands.came.fill(TerrainLattice::kFirst);
+      std::iota(crews[c].slot.begin(), crews[c].slot.end(), first);
+    }
+    for (std::size_t plane = 0; plane < lattice_.walk_length(); ++plane)
+      for (Crew& crew : crews) step(shift, batch, crew, plane);
+  }
+
+  /// The last ant comes first. Who is dropped changes places with the last one that still walks.
+  void step(const Shift& shift, Batch& batch, Crew& crew, std::size_t plane) const {
+    LatticeStands& stands = crew.stands;
+    for (std::size_t i = 0; i < stands.count; ++i)
+      if (Slot& slot = batch.slots[crew.slot[i]]; plane >= slot.follows) stands.bits[i] = slot.stream.bits();
+    LatticeStands::Moves moves{};
+    shift.policies.choice.choose(stands, moves);
+    for (std::size_t i = stands.count; i-- > 0;) {
+      Slot& slot = batch.slots[crew.slot[i]];
+      const unsigned move = plane < slot.follows ? shift.best.actions[plane] : moves[i];
+      if (move == LatticeStands::kNoMove) {
+        stands.remove(i);
+        crew.slot[i] = crew.slot[stands.count];
+        continue;
       }
+      batch.path[crew.slot[i] * lattice_.walk_length() + plane] = TerrainLattice::kRow * stands.node[i] + move;
+      slot.moves = plane + 1;
+      stands.node[i] = lattice_.frame().after(stands.node[i], move);
+      stands.came[i] = move;
+      shift.policies.choice.fetch(stands.node[i]);
     }
   }
 

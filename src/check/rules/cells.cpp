@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "check/cell_walk.hpp"
+#include "check/cell_passage.hpp"
 #include "check/rules.hpp"
 
 namespace alate {
@@ -45,7 +45,7 @@ class Touches {
   }
 
   Map map_;
-  CellWalk<Map> walk_;
+  CellPassage<Map> walk_;
   Stretch<kAxes> last_;
   bool came_free_ = false;  ///< `last_` has a free cell.
   bool moved_ = false;

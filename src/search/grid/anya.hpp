@@ -7,6 +7,7 @@
 #include "search/grid/bucket_queue.hpp"
 #include "search/grid/cone.hpp"
 #include "search/grid/corner_labels.hpp"
+#include "search/grid/octile.hpp"
 #include "search/grid/row_scan.hpp"
 
 namespace alate {
@@ -51,11 +52,12 @@ class Anya {
   /// One side of the way.
   enum class Side { left, right };
 
+  static OctileCost priority(double length) { return static_cast<OctileCost>(length * static_cast<double>(kStraight)); }
   bool search(RunContext& run);
   void expand(const Cone& cone);
   void pass(const Cone& cone, FreeRun run, double left, double right);
-  void enter(Cone cone, FreeRun run);
-  void look_for_goal(const Cone& cone, FreeRun run);
+  void enter(const Cone& cone, Rays rays, FreeRun run);
+  void look_for_goal(const Cone& cone, Rays rays);
   bool turn(const Root& from, int x, int y, Root& root);
   void turn_inwards(const Cone& cone, FreeRun run, Side side, double ray);
   void turn_outwards(const Cone& cone, FreeRun run, Side side, double x);

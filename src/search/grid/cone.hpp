@@ -29,17 +29,22 @@ struct Root {
   std::uint32_t corner = 0;  ///< Its number.
 };
 
+/// The two outer rays of a cone, in columns per row.
+struct Rays {
+  static constexpr double kWide = std::numeric_limits<double>::infinity();
+
+  double left = -kWide;
+  double right = kWide;
+};
+
 /// The rays from a root that enter a row of cells side by side, all free up to there (Harabor et al. 2016: an interval,
 /// here as the two rays through its ends). A ray is kept as columns per row, always the quotient of two small whole
 /// numbers of half cells and so the same double wherever it comes from: projections do not add up errors.
 struct Cone {
   Root root;
-  double left = -kWide;
-  double right = kWide;
+  Rays rays;
   int row = 0;   ///< That it enters.
   int down = 1;  ///< 1 if rows go down, -1 if they go up.
-
-  static constexpr double kWide = std::numeric_limits<double>::infinity();
 
   /// The line it enters its row by.
   double line() const { return down > 0 ? row : row + 1; }
@@ -60,8 +65,8 @@ struct Cone {
     const double beyond = std::abs(goal.y - line());
     const double across = goal.x - root.at.x;
     const double straight = rows + beyond;
-    if (across < left * straight) return past(left * rows, across, rows, beyond);
-    if (across > right * straight) return past(right * rows, across, rows, beyond);
+    if (across < rays.left * straight) return past(rays.left * rows, across, rows, beyond);
+    if (across > rays.right * straight) return past(rays.right * rows, across, rows, beyond);
     return root.length + std::sqrt(across * across + straight * straight);
   }
 

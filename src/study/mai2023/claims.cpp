@@ -24,8 +24,8 @@ std::optional<double> change_of_least_time(const Trial& from, const Trial& to) {
 }
 
 /// Mean times count only where the least times say the same.
-Part judge(const Study& study, std::size_t reading, Scene scene, Measure measure) {
-  Part part = falls(effect(study, reading, scene, measure));
+ClaimPart judge(const Study& study, std::size_t reading, Scene scene, Measure measure) {
+  ClaimPart part = falls(effect(study, reading, scene, measure));
   if (measure != kTime) return part;
   const auto least = change_of_least_time(study.trial(reading, scene, kAco), study.trial(reading, scene, kMai));
   if (!least) return part;
@@ -90,7 +90,7 @@ std::string means(const Study& study, Scene scene, Measure measure) {
 Claim superior(const Study& study, Scene scene, Measure measure) {
   const MeasureWords& words = words_of(measure);
   const Effect found = effect(study, 0, scene, measure);
-  const Part part = judge(study, 0, scene, measure);
+  const ClaimPart part = judge(study, 0, scene, measure);
   Claim claim{.id = fmt::format("{}-{}", words.id, kSceneNames[scene]),
               .text = fmt::format("{} scene: superior to ACO on {}", kSceneNames[scene],
                                   measure == kIteration ? "the iteration number" : words.id),

@@ -83,7 +83,7 @@ Claim claim(const Study& study, const Asked& asked) {
               .verdict = main.verdict,
               .why = {},
               .by_case = main.by_case};
-  for (const Part& part : main.parts) claim.why += (claim.why.empty() ? "" : " ") + part.words;
+  for (const ClaimPart& part : main.parts) claim.why += (claim.why.empty() ? "" : " ") + part.words;
   claim.why += main.more + other_readings(study, asked, main.verdict);
   return claim;
 }

@@ -78,7 +78,7 @@ std::optional<double> equal_height_percent(const FirstIterations& first) {
   return 100 * static_cast<double>(first.same_height) / static_cast<double>(first.unequal);
 }
 
-Part equal_height_part(Size size, const FirstIterations& first) {
+ClaimPart equal_height_part(Size size, const FirstIterations& first) {
   constexpr double kMostly = 50;
   constexpr double kHardlyEver = 5;
   const auto share = equal_height_percent(first);

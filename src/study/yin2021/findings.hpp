@@ -12,7 +12,7 @@ namespace alate::yin2021 {
 
 /// What one reading says about a claim.
 struct Finding {
-  std::vector<Part> parts;
+  std::vector<ClaimPart> parts;
   ClaimVerdict verdict = ClaimVerdict::cannot_be_told;
   std::optional<double> ours;
   std::vector<std::pair<std::string, double>> by_case;

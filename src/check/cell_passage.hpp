@@ -62,12 +62,12 @@ struct Stretch {
 /// Follows a route over `map`. Steps within kRoundingNoise of where it stands are joined to the next one, so that a
 /// chain of them hides nothing. Places within kRoundingNoise of a side of cells lie on it.
 template <class Map>
-class CellWalk {
+class CellPassage {
  public:
   static constexpr int kAxes = Map::kAxes;
   using Place = CellPlace<kAxes>;
 
-  CellWalk(Map map, const Place& start) : map_(map), at_(start - map.origin()) {}
+  CellPassage(Map map, const Place& start) : map_(map), at_(start - map.origin()) {}
 
   /// The stretches of the straight flight to `place`, in order; parts more than a cell outside the map left out. At
   /// most the sum of the map's sides and 3 for each axis.
@@ -126,14 +126,14 @@ bool connects(const Map& map, const Stretch<Map::kAxes>& from, const Stretch<Map
 }
 
 template <class Map>
-auto CellWalk<Map>::extent() const -> Place {
+auto CellPassage<Map>::extent() const -> Place {
   Place extent;
   for (int axis = 0; axis < kAxes; ++axis) extent[axis] = map_.size().at(static_cast<std::size_t>(axis));
   return extent;
 }
 
 template <class Map>
-Stretch<CellWalk<Map>::kAxes> CellWalk<Map>::stretch(const Place& begin, const Place& end) const {
+Stretch<CellPassage<Map>::kAxes> CellPassage<Map>::stretch(const Place& begin, const Place& end) const {
   const Place middle = (begin + end) / 2;
   Stretch<kAxes> result{.begin = map_.origin() + begin, .middle = map_.origin() + middle};
   const Place farthest = extent() + Place::Constant(2);
@@ -159,7 +159,7 @@ Stretch<CellWalk<Map>::kAxes> CellWalk<Map>::stretch(const Place& begin, const P
 
 /// The part of a flight that is not more than a cell outside the map.
 template <class Map>
-auto CellWalk<Map>::clipped(const Place& from, const Place& to) const -> std::optional<std::pair<Place, Place>> {
+auto CellPassage<Map>::clipped(const Place& from, const Place& to) const -> std::optional<std::pair<Place, Place>> {
   const Place delta = to - from;
   double enter = 0;
   double leave = 1;
@@ -181,7 +181,7 @@ auto CellWalk<Map>::clipped(const Place& from, const Place& to) const -> std::op
 
 /// Distances from the begin of a flight of `length` at which it crosses sides of cells, sorted, and its end.
 template <class Map>
-std::vector<double> CellWalk<Map>::crossings(const Place& from, const Place& to, double length) const {
+std::vector<double> CellPassage<Map>::crossings(const Place& from, const Place& to, double length) const {
   std::vector<double> crossings;
   const double cell_m = map_.cell_m();
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -198,7 +198,7 @@ std::vector<double> CellWalk<Map>::crossings(const Place& from, const Place& to,
 }
 
 template <class Map>
-std::vector<Stretch<CellWalk<Map>::kAxes>> CellWalk<Map>::advance(const Place& place) {
+std::vector<Stretch<CellPassage<Map>::kAxes>> CellPassage<Map>::advance(const Place& place) {
   const Place to = place - map_.origin();
   if ((to - at_).norm() <= kRoundingNoise) return {};
   const auto part = clipped(at_, to);
