@@ -47,9 +47,8 @@ PlannerEntry theta_star_entry() {
            "The shortest way at any angle over a grid, proven: it turns at corners of blocked cells, by a hair, and "
            "no way from cell to cell is shorter. In the place of Theta* (Nash et al. 2007), whose ways are short "
            "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016). Among voxels Lazy Theta* "
-           "(Nash, Koenig and Tovey 2010): "
-           "short, never longer than from cell to cell, but not proven the shortest.",
-       .preset = {.name = "anya", .help = "Exact search over what corners see of rows of cells.", .values = {}},
+           "(Nash, Koenig and Tovey 2010): short, never longer than from cell to cell, but not proven the shortest.",
+       .preset = {.name = "default", .help = "Anya over a grid, Lazy Theta* among voxels.", .values = {}},
        .fits = ""});
   return with_voxels(std::move(entry), [] { return Planner(CellExact<VoxelTheta, VoxelLines>()); });
 }
