@@ -97,6 +97,7 @@ std::string height_note(const Site& site) {
     return "The route lies in the plane of the grid; heights are marks of its cells.\n"
            "Planning help, not clearance to fly.\n";
   }
+  if (site.voxels) return "Heights are metres above the floor of the map.\nPlanning help, not clearance to fly.\n";
   std::string text = "Heights are metres above mean sea level";
   if (const auto* raster = std::get_if<HeightRaster>(&site.ground))
     text += fmt::format("; terrain {}, {:.0f} m cells, datum {}", raster->name, raster->cell_m, raster->datum);

@@ -44,17 +44,19 @@ Json to_value(const PlannerEntry& entry) {
             {"deterministic", can.deterministic},
             {"terrain", can.terrain},
             {"threats", can.threats},
+            {"voxels", can.voxels},
             {"space", can.space}}},
           {"parameters", parameters}};
 }
 
 std::string abilities(const Abilities& can) {
   std::string text = "on the " + can.space;
-  const std::array<std::pair<bool, const char*>, 5> words{{{can.exact, "exact"},
+  const std::array<std::pair<bool, const char*>, 6> words{{{can.exact, "exact"},
                                                            {can.anytime, "anytime"},
                                                            {can.deterministic, "deterministic"},
                                                            {can.terrain, "rounds terrain"},
-                                                           {can.threats, "avoids threats"}}};
+                                                           {can.threats, "avoids threats"},
+                                                           {can.voxels, "flies among voxels as well"}}};
   for (const auto& [holds, word] : words)
     if (holds) text += fmt::format(", {}", word);
   return text;

@@ -40,7 +40,7 @@ void add_scen(CLI::App& app, Command& chosen) {
   const auto line = std::make_shared<ScenLine>();
   CLI::App& command = *add_command(app, "scen", "Run a planner on the tasks of a benchmark map (Moving AI)",
                                    "alate scen arena.map.scen --planner jps --rows 100");
-  add_text(command, "FILE", line->file, "tasks (.map.scen); the map that they name lies beside");
+  add_text(command, "FILE", line->file, "tasks (.map.scen, .3dmap.3dscen); the map that they name lies beside");
   add_text(command, "--planner", line->planner, "planner to use (see alate planners)");
   add_text(command, "--preset", line->preset, "named set of the planner's parameters");
   add_text(command, "--rows", line->rows, "so many rows, those with the longest optimum (default: all)");

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "check/grid_walk.hpp"
+#include "check/cell_passage.hpp"
 #include "check/leg_shape.hpp"
 
 namespace alate {
@@ -14,19 +14,20 @@ namespace {
 constexpr double kSameDirection = 1e-6;  ///< rad
 
 std::vector<double> heights_of(const HeightGrid& grid, const Route& route) {
+  const FlatCells map{grid};
   std::vector<double> heights;
-  std::optional<GridCell> last;
-  const auto pass = [&](const Stretch& stretch) {
-    const GridCell* free = free_cell(grid, stretch);
-    const GridCell* cell = free == nullptr ? stretch.cells.data() : free;
-    if (!grid.contains(cell->column, cell->row) || last == *cell) return;
-    last = *cell;
-    heights.push_back(grid.height_at(cell->column, cell->row));
+  std::optional<CellAt<2>> last;
+  const auto pass = [&](const Stretch<2>& stretch) {
+    const CellAt<2>* free = free_cell(map, stretch);
+    const CellAt<2>& cell = free == nullptr ? stretch.held.front() : *free;
+    if (!map.contains(cell) || last == cell) return;
+    last = cell;
+    heights.push_back(grid.height_at(cell[0], map.row(cell)));
   };
-  GridPassage walk(grid, route.states.front().position.head<2>());
+  CellPassage walk(map, route.states.front().position.head<2>());
   for (std::size_t i = 1; i < route.states.size(); ++i) {
     for (const Segment& piece : straight_pieces(route, i)) {
-      for (const Stretch& stretch : walk.advance(piece.b.head<2>())) pass(stretch);
+      for (const Stretch<2>& stretch : walk.advance(piece.b.head<2>())) pass(stretch);
     }
   }
   return heights;

@@ -10,10 +10,10 @@ namespace alate {
 /// height, see judge_blocked_cells; of a grid cut from a raster the ground itself is judged as well.
 RuleReport judge_terrain_clearance(const Flight& flight);
 
-/// Counts, leg by leg, where the route touches blocked cells: flies through the inside of one or along the common side
-/// of two, or changes cells across a corner of one (no corner cutting). A route may run along one side of a blocked
-/// cell. Part of terrain_clearance; what lies outside the grid is left to `bounds`. Over ground, which gives a leg a
-/// margin in metres, legs that touch none are passed over.
+/// Counts, leg by leg, where the route touches blocked cells: flies through the inside of one or along a side that all
+/// cells beside it block, or changes cells across a corner of one, in space also an edge (no corner cutting). A route
+/// may run along one side of a blocked cell. Part of terrain_clearance; what lies outside the map is left to `bounds`.
+/// Over ground, which gives a leg a margin in metres, legs that touch none are passed over.
 void judge_blocked_cells(const Flight& flight, RuleReport& report);
 
 /// Highest height of each leg, at most the ceilings above ground and above sea level; the worse of both.
@@ -40,8 +40,8 @@ RuleReport judge_descent(const Flight& flight);
 /// each leg with what its action gives. Every action must be one of the scenario's.
 RuleReport judge_step(const Flight& flight);
 
-/// Each leg inside the outermost posts, the extent of the peaks or the grid; metres to the nearest edge. The area is
-/// convex, so the ends of the pieces suffice.
+/// Each leg inside the outermost posts, the extent of the peaks, the grid or the voxels; metres to the nearest edge.
+/// The area is convex, so the ends of the pieces suffice.
 RuleReport judge_bounds(const Flight& flight);
 
 /// The last state within the goal's tolerance, the first within 1 m of the start (reported only if it is not). Each

@@ -28,7 +28,6 @@ class Reader {
 
  private:
   void refuse(Fault fault) { faults_.add(std::move(fault)); }
-  bool is_text(std::string_view text);
   void read_header();
   void read_key(std::string_view key, std::string_view value);
   void read_side(std::string_view key, std::string_view value, int& side);
@@ -43,17 +42,6 @@ class Reader {
   bool sized_ = true;
   HeightGrid grid_;
 };
-
-bool Reader::is_text(std::string_view text) {
-  const auto binary = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || is_control(c); };
-  const auto* const found = std::ranges::find_if(text, binary);
-  if (found == text.end()) return true;
-  const std::string_view before(text.begin(), found);
-  refuse({.line = static_cast<int>(std::ranges::count(before, '\n')) + 1,
-          .column = static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1,
-          .message = "is not a text file"});
-  return false;
-}
 
 void Reader::read_side(std::string_view key, std::string_view value, int& side) {
   const char* end = std::to_address(value.end());
@@ -142,7 +130,9 @@ std::optional<HeightGrid> Reader::read(std::string_view text) {
   lines_.rest = text;
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     refuse({.message = "the file is empty"});
-  } else if (is_text(text)) {
+  } else if (auto binary = binary_fault(text)) {
+    refuse(std::move(*binary));
+  } else {
     read_header();
     judge_size();
     if (headed_ && sized_) read_rows();

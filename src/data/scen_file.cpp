@@ -5,173 +5,154 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <string_view>
 
-#include "core/number_text.hpp"
-#include "data/file_faults.hpp"
 #include "data/grid_map.hpp"
 #include "data/limits.hpp"
-#include "data/scenario_text.hpp"
-#include "data/text_file.hpp"
+#include "data/scen_rows.hpp"
+#include "data/voxel_map.hpp"
 
 namespace alate {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 enum Column : std::size_t { bucket, map, width, height, start_x, start_y, goal_x, goal_y, optimum };
-constexpr std::size_t kColumns = optimum + 1;
-constexpr std::array<const char*, kColumns> kNames{"bucket",  "map",    "width",  "height",        "start x",
-                                                   "start y", "goal x", "goal y", "optimal length"};
+constexpr std::array<const char*, optimum + 1> kNames{"bucket",  "map",    "width",  "height",        "start x",
+                                                      "start y", "goal x", "goal y", "optimal length"};
 
-/// Reads the rows of one file.
-class Reader {
+/// Reads the rows of a file of tasks on a height grid.
+class FlatReader {
  public:
-  Reader(const std::string& file, std::vector<Fault>& faults) : path_(file), all_(faults), faults_(file, faults) {}
+  FlatReader(const std::string& file, std::vector<Fault>& faults)
+      : rows_(file, faults, kNames, "bucket, map, width, height, start x and y, goal x and y, length") {}
 
-  std::optional<ScenFile> read(std::string_view text);
+  std::optional<ScenFile> read(std::string_view text) {
+    if (rows_.begin(text)) {
+      while (rows_.next_row()) read_row();
+    }
+    return rows_.finish() ? std::optional(std::move(scen_)) : std::nullopt;
+  }
 
  private:
-  void refuse(Fault fault) {
-    fault.line = lines_.number;
-    faults_.add(std::move(fault));
-  }
-  void refuse(Column column, std::string message, std::string limit);
-  void split();
-  bool read_version();
   bool read_map();
   void read_row();
   bool fits_map();
-  std::optional<double> number(Column column, double most);
-  std::optional<int> whole(Column column, double most);
   std::optional<std::array<int, 2>> cell(Column x, Column y);
 
-  fs::path path_;
-  std::vector<Fault>& all_;
-  FileFaults faults_;
-  TextLines lines_;
-  std::array<std::string_view, kColumns> cells_;
-  std::size_t count_ = 0;  ///< Columns of the line.
+  ScenRows rows_;
   std::string map_name_;
   ScenFile scen_;
 };
 
-void Reader::refuse(Column column, std::string message, std::string limit) {
-  const std::string_view text = cells_.at(column);
-  refuse({.column = static_cast<int>(text.data() - lines_.line.data()) + 1,
-          .field = kNames.at(column),
-          .value = shortened(std::string(text)),
-          .limit = std::move(limit),
-          .message = std::move(message)});
-}
-
-void Reader::split() {
-  constexpr std::string_view kBlanks = " \t";
-  count_ = 0;
-  for (std::size_t begin = lines_.line.find_first_not_of(kBlanks); begin < lines_.line.size(); ++count_) {
-    const std::size_t end = std::min(lines_.line.find_first_of(kBlanks, begin), lines_.line.size());
-    if (count_ < kColumns) cells_.at(count_) = lines_.line.substr(begin, end - begin);
-    begin = lines_.line.find_first_not_of(kBlanks, end);
-  }
-}
-
-bool Reader::read_version() {
-  split();
-  if (count_ == 2 && cells_[0] == "version" && (cells_[1] == "1" || cells_[1] == "1.0")) return true;
-  refuse({.column = 1,
-          .value = shortened(std::string(lines_.line)),
-          .limit = "version 1",
-          .message = "the first line must name a version that can be read"});
-  return false;
-}
-
 /// The map that the first row names, beside the file.
-bool Reader::read_map() {
-  map_name_ = cells_[map];
-  const std::string name = fs::path(map_name_).filename().string();
-  const std::string own = path_.filename().string();
-  if (own.ends_with(".map.scen") && own != name + ".scen")
-    refuse(map, "the rows are of another map than the name of the file says", own.substr(0, own.size() - 5));
-  auto grid = read_grid_map((path_.parent_path() / name).string(), all_);
+bool FlatReader::read_map() {
+  map_name_ = rows_.word(map);
+  rows_.is_own_map(map, map_name_);
+  auto grid = read_grid_map(rows_.beside(map_name_), rows_.all_faults());
   if (!grid) return false;
   scen_.grid = std::move(*grid);
   return true;
 }
 
-std::optional<double> Reader::number(Column column, double most) {
-  const NumberText text = parse_number(cells_.at(column));
-  if (text.problem.empty() && text.value >= 0 && text.value <= most) return text.value;
-  refuse(column, text.problem.empty() ? "out of range" : text.problem, fmt::format("0 to {}", most));
-  return std::nullopt;
-}
-
-std::optional<int> Reader::whole(Column column, double most) {
-  const auto value = number(column, most);
-  if (!value || *value == std::floor(*value)) return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-  refuse(column, "must be a whole number", fmt::format("0 to {}", most));
-  return std::nullopt;
-}
-
-bool Reader::fits_map() {
-  if (cells_[map] != map_name_) {
-    refuse(map, "all rows must be of one map", map_name_);
+bool FlatReader::fits_map() {
+  if (rows_.word(map) != map_name_) {
+    rows_.refuse(map, "all rows must be of one map", map_name_);
     return false;
   }
-  const auto columns = whole(width, kMaxGridSide);
-  const auto rows = whole(height, kMaxGridSide);
+  const auto columns = rows_.whole(width, kMaxGridSide);
+  const auto rows = rows_.whole(height, kMaxGridSide);
   if (columns && *columns != scen_.grid.columns)
-    refuse(width, "is not that of the map", fmt::format("{}", scen_.grid.columns));
-  if (rows && *rows != scen_.grid.rows) refuse(height, "is not that of the map", fmt::format("{}", scen_.grid.rows));
+    rows_.refuse(width, "is not that of the map", fmt::format("{}", scen_.grid.columns));
+  if (rows && *rows != scen_.grid.rows)
+    rows_.refuse(height, "is not that of the map", fmt::format("{}", scen_.grid.rows));
   return columns == scen_.grid.columns && rows == scen_.grid.rows;
 }
 
-std::optional<std::array<int, 2>> Reader::cell(Column x, Column y) {
-  const auto column = whole(x, scen_.grid.columns - 1);
-  const auto row = whole(y, scen_.grid.rows - 1);
+std::optional<std::array<int, 2>> FlatReader::cell(Column x, Column y) {
+  const auto column = rows_.whole(x, scen_.grid.columns - 1);
+  const auto row = rows_.whole(y, scen_.grid.rows - 1);
   if (!column || !row) return std::nullopt;
   if (!scen_.grid.blocked_at(*column, *row)) return {{*column, *row}};
-  refuse(x, fmt::format("the cell [{}, {}] is blocked", *column, *row), "a free cell");
+  rows_.refuse(x, fmt::format("the cell [{}, {}] is blocked", *column, *row), "a free cell");
   return std::nullopt;
 }
 
-void Reader::read_row() {
-  split();
-  if (count_ != kColumns) {
-    refuse({.value = fmt::format("{}", count_),
-            .limit = fmt::format("{}", kColumns),
-            .message = "wrong number of columns: bucket, map, width, height, start x and y, goal x and y, length"});
-    return;
-  }
-  if (map_name_.empty() && !read_map()) {
-    lines_.rest = {};
-    return;
-  }
+void FlatReader::read_row() {
+  if (map_name_.empty() && !read_map()) return rows_.give_up();
   if (!fits_map()) return;
-  whole(bucket, kMaxMagnitude);
+  rows_.whole(bucket, kMaxMagnitude);
   const auto start = cell(start_x, start_y);
   const auto goal = cell(goal_x, goal_y);
-  const auto length = number(optimum, kMaxMagnitude);
+  const auto length = rows_.number(optimum, kMaxMagnitude);
   if (start && goal && length) scen_.rows.push_back({(*start)[0], (*start)[1], (*goal)[0], (*goal)[1], *length});
 }
 
-std::optional<ScenFile> Reader::read(std::string_view text) {
-  const std::size_t earlier = all_.size();
-  lines_.rest = text;
-  std::size_t rows = 0;
-  if (text.find('\0') != std::string_view::npos) {
-    refuse({.message = "is not a text file"});
-  } else if (!lines_.next()) {
-    refuse({.message = "the file is empty"});
-  } else if (read_version()) {
-    while (lines_.next() && ++rows <= kMaxScenRows) read_row();
-    if (rows == 0) refuse({.message = "the file has a version but no rows"});
-    if (rows > kMaxScenRows) refuse({.limit = fmt::format("<= {}", kMaxScenRows), .message = "too many rows"});
+enum VoxelColumn : std::size_t { start = 0, goal = 3, length = 6, ratio = 7 };
+constexpr std::array<const char*, ratio + 1> kVoxelNames{"start x", "start y", "start z",        "goal x",
+                                                         "goal y",  "goal z",  "optimal length", "ratio"};
+
+/// Reads the rows of a file of tasks among voxels.
+class VoxelReader {
+ public:
+  VoxelReader(const std::string& file, std::vector<Fault>& faults)
+      : rows_(file, faults, kVoxelNames, "start x, y and z, goal x, y and z, length, ratio") {}
+
+  std::optional<VoxelScenFile> read(std::string_view text) {
+    if (rows_.begin(text) && rows_.next() && read_map()) {
+      while (rows_.next_row()) read_row();
+    }
+    return rows_.finish() ? std::optional(std::move(scen_)) : std::nullopt;
   }
-  faults_.finish(lines_.number);
-  if (all_.size() > earlier) return std::nullopt;
-  return std::move(scen_);
+
+ private:
+  bool read_map();
+  void read_row();
+  std::optional<VoxelCell> cell(VoxelColumn x);
+
+  ScenRows rows_;
+  VoxelScenFile scen_;
+};
+
+/// The map that the second line names, beside the file.
+bool VoxelReader::read_map() {
+  const std::string name(rows_.line());
+  rows_.is_own_map(0, name);
+  auto voxels = read_voxel_map(rows_.beside(name), rows_.all_faults());
+  if (!voxels) return false;
+  scen_.voxels = std::move(*voxels);
+  return true;
+}
+
+std::optional<VoxelCell> VoxelReader::cell(VoxelColumn x) {
+  VoxelCell cell{};
+  bool sound = true;
+  for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+    const auto value = rows_.whole(x + axis, scen_.voxels.size().at(axis) - 1);
+    cell.at(axis) = value.value_or(0);
+    sound = sound && value;
+  }
+  if (!sound) return std::nullopt;
+  if (scen_.voxels.is_free(cell)) return cell;
+  rows_.refuse(x, fmt::format("the cell [{}, {}, {}] is blocked", cell[0], cell[1], cell[2]), "a free cell");
+  return std::nullopt;
+}
+
+void VoxelReader::read_row() {
+  const auto from = cell(start);
+  const auto to = cell(goal);
+  const auto optimum = rows_.number(length, kMaxMagnitude);
+  const auto share = rows_.number(ratio, kMaxMagnitude);
+  if (from && to && optimum && share) scen_.rows.push_back({*from, *to, *optimum});
+}
+
+/// Reads the text of `file`, whose own faults join those of its lines.
+template <class Reader>
+auto read_file(const std::string& file, std::vector<Fault>& faults) -> decltype(Reader(file, faults).read("")) {
+  try {
+    return Reader(file, faults).read(read_text_file(file, kMaxScenBytes));
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -184,12 +165,11 @@ double scen_tolerance(double published) {
 }
 
 std::optional<ScenFile> read_scen_file(const std::string& file, std::vector<Fault>& faults) {
-  try {
-    return Reader(file, faults).read(read_text_file(file, kMaxScenBytes));
-  } catch (const InputError& error) {
-    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
-    return std::nullopt;
-  }
+  return read_file<FlatReader>(file, faults);
+}
+
+std::optional<VoxelScenFile> read_voxel_scen_file(const std::string& file, std::vector<Fault>& faults) {
+  return read_file<VoxelReader>(file, faults);
 }
 
 }  // namespace alate

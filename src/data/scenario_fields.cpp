@@ -105,35 +105,43 @@ Description describe(RandomGridSpec& random) {
 
 Description describe(GridSpec& grid) {
   const bool cut = !grid.dem.empty();
-  return {.fields = {field("map", "", "Map in the format of the Moving AI benchmarks; relative to this file.",
-                           text(grid.map, Text::Use::path)),
-                     field("random", "", "Cells drawn at random.", group(grid.random)),
-                     field("dem", "",
-                           "Raster of ground heights above mean sea level, in any CRS, cut as a whole into cells of "
-                           "cell_m; relative to this file. A cell is as high as the highest post under or beside it.",
-                           text(grid.dem, Text::Use::path)),
-                     field("level_amsl_m", "m",
-                           "Flight level of the whole route, beside dem. A cell is blocked where its height and "
-                           "clearance_m reach it, and where ground is unknown.",
-                           number(grid.level_amsl_m)),
-                     written_if(cut, field("clearance_m", "m", "Least height above ground; dem only.",
-                                           number(grid.clearance_m, at_least(0)))),
-                     written_if(!cut, field("heights", "",
-                                            "Height of each cell of a map or of random cells. peaks: the absolute "
-                                            "value of MATLAB's peaks over the whole grid, rotated by 90 degrees (Yin "
-                                            "et al. 2021).",
-                                            choice(grid.heights, {"flat", "peaks"}))),
-                     field("cell_m", "m", "Side of a cell; required beside dem.",
-                           number(grid.cell_m, from_to(kLeastCell, kMostCell)))},
-          .one_of = {{"map"}, {"random"}, {"dem", "level_amsl_m"}}};
+  return {
+      .fields =
+          {field(
+               "map", "",
+               "Map in a format of the Moving AI benchmarks, in the plane (.map) or of voxels (.3dmap, or a file that "
+               "begins with `voxel`); relative to this file.",
+               text(grid.map, Text::Use::path)),
+           field("random", "", "Cells drawn at random.", group(grid.random)),
+           field("dem", "",
+                 "Raster of ground heights above mean sea level, in any CRS, cut as a whole into cells of "
+                 "cell_m; relative to this file. A cell is as high as the highest post under or beside it.",
+                 text(grid.dem, Text::Use::path)),
+           field("level_amsl_m", "m",
+                 "Flight level of the whole route, beside dem. A cell is blocked where its height and "
+                 "clearance_m reach it, and where ground is unknown.",
+                 number(grid.level_amsl_m)),
+           written_if(cut, field("clearance_m", "m", "Least height above ground; dem only.",
+                                 number(grid.clearance_m, at_least(0)))),
+           written_if(!cut, field("heights", "",
+                                  "Height of each cell of a map or of random cells. peaks: the absolute "
+                                  "value of MATLAB's peaks over the whole grid, rotated by 90 degrees (Yin "
+                                  "et al. 2021).",
+                                  choice(grid.heights, {"flat", "peaks"}))),
+           field("cell_m", "m", "Side of a cell; required beside dem.",
+                 number(grid.cell_m, from_to(kLeastCell, kMostCell)))},
+      .one_of = {{"map"}, {"random"}, {"dem", "level_amsl_m"}}};
 }
 
 Description describe_place(PlaceSpec& place) {
   return {
       .fields =
           {field("position_m", "m", "x east, y north in the frame, z above mean sea level.", numbers(place.position_m)),
-           field("cell", "", "Column and row of a cell of `grid`; [0, 0] is the upper left.",
-                 whole_numbers(place.cell, kCell)),
+           field("cell", "",
+                 "Column and row of a cell of `grid`, [0, 0] is the upper left; or x, y and z of a voxel: [x, y, z] "
+                 "has its "
+                 "middle at ((x + 0.5), (y + 0.5), (z + 0.5)) times cell_m.",
+                 whole_numbers(place.cell, place.layer, kCell)),
            field("lat", "deg",
                  "Latitude, WGS 84. Beside `grid.dem` lat and lon alone stand for the middle of the cell around them.",
                  number(place.lat_deg, kLatitude)),
@@ -223,7 +231,7 @@ Description describe(ObjectiveSpec& objective) {
                            number(objective.threat, at_least(0))),
                      written_if(physical, field("climb", "",
                                                 "Weight of the metres climbed; physical only. Not given beside "
-                                                "`navigation`: 0, so that the cost is the length.",
+                                                "`navigation` or `grid`: 0, so that the cost is the length.",
                                                 number(objective.climb, at_least(0)))),
                      written_if(!physical,
                                 field("fuel", "",
@@ -299,7 +307,10 @@ Description describe(Scenario& scenario) {
                 "Free and blocked cells in place of terrain, in a local frame with (0, 0) at the lower left corner; "
                 "cells cut from dem lie on Earth. Start and goal are cells, and routes lie at z = 0 or at the flight "
                 "level. A blocked cell is ground of endless height for the rule terrain_clearance: a leg may run along "
-                "one side of it, but neither enter it nor cut its corner.",
+                "one side of it, but neither enter it nor cut its corner. A voxel map fills the air: x east, y north "
+                "and z "
+                "up, all from 0, and routes lie where cells are free; a leg may run along one face of a blocked cell, "
+                "but neither enter it nor cut its edge or corner.",
                 group(scenario.grid)),
           written_if(scenario.start.place.given(),
                      required_unless("navigation",

@@ -51,6 +51,10 @@ struct Numbers {
   Range range;
   std::size_t count = 0;  ///< 0: from 1 to kMaxAngles.
   bool whole = false;
+  bool one_more = false;  ///< There may be one more than `count`.
+
+  std::size_t least() const { return count > 0 ? count : 1; }
+  std::size_t most() const { return count > 0 ? count + (one_more ? 1U : 0U) : kMaxAngles; }
 };
 struct Choice {
   std::vector<std::string> words;

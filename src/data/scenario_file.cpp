@@ -21,10 +21,11 @@ void name_threats(std::vector<ThreatSpec>& threats) {
   }
 }
 
-/// Beside navigation errors the cost is the length, unless the scenario says otherwise.
+/// Beside navigation errors and on grids the cost is the length, unless the scenario says otherwise.
 void default_climb(Scenario& scenario) {
   const bool physical = scenario.objective.model == CostModel::physical;
-  if (scenario.navigation && physical && !scenario.marks.contains("objective.climb")) scenario.objective.climb = 0;
+  if ((scenario.navigation || scenario.grid) && physical && !scenario.marks.contains("objective.climb"))
+    scenario.objective.climb = 0;
 }
 
 /// In the order of the text, and no more than a person reads.

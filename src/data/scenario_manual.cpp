@@ -66,7 +66,8 @@ class Manual {
             slot.range.text()};
   }
   static Cells cells_of(const Numbers& slot) {
-    const std::string count = slot.count > 0 ? fmt::format("{}", slot.count) : fmt::format("1 to {}", kMaxAngles);
+    const std::string count = slot.least() == slot.most() ? fmt::format("{}", slot.most())
+                                                          : fmt::format("{} to {}", slot.least(), slot.most());
     return {fmt::format("list of {} {}numbers", count, slot.whole ? "whole " : ""), "", slot.range.text()};
   }
   static Cells cells_of(const Choice& slot) {
@@ -93,10 +94,10 @@ std::string limits() {
   return fmt::format(
       "\n## Limits\n\n| what | at most |\n|---|---|\n"
       "| bytes of a file | {} |\n| groups and lists within each other | {} |\n| threats, peaks | {} each |\n"
-      "| cells of a grid; columns, rows | {}; {} each |\n"
+      "| cells of a grid; columns, rows | {}; {} each |\n| voxels; along an axis | {}; {} each |\n"
       "| angles in one list | {} |\n| rolls times pitches times yaws | {} |\n| any number | {} either side of 0 |\n",
-      kMaxScenarioBytes, kMaxNesting, kMaxListItems, kMaxGridCells, kMaxGridSide, kMaxAngles, kMaxAttitudeMoves,
-      kMaxMagnitude);
+      kMaxScenarioBytes, kMaxNesting, kMaxListItems, kMaxGridCells, kMaxGridSide, kMaxVoxels, kMaxVoxelSide, kMaxAngles,
+      kMaxAttitudeMoves, kMaxMagnitude);
 }
 
 }  // namespace

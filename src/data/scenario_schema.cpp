@@ -37,10 +37,7 @@ Json schema_of(const Number& slot) {
 Json schema_of(const Numbers& slot) {
   Json item = number_schema(slot.range);
   if (slot.whole) item["type"] = "integer";
-  return {{"type", "array"},
-          {"items", item},
-          {"minItems", slot.count > 0 ? slot.count : 1},
-          {"maxItems", slot.count > 0 ? slot.count : kMaxAngles}};
+  return {{"type", "array"}, {"items", item}, {"minItems", slot.least()}, {"maxItems", slot.most()}};
 }
 Json schema_of(const Choice& slot) { return {{"enum", slot.words}, {"default", slot.words[slot.value]}}; }
 Json schema_of(const Group& slot) { return schema_of(slot.open()); }

@@ -57,14 +57,21 @@ inline Numbers whole_numbers(std::array<int, 2>& value, Range range) {
           .whole = true};
 }
 
-inline Numbers whole_numbers(std::optional<std::array<int, 2>>& value, Range range) {
+/// Two numbers, or three with `third`.
+inline Numbers whole_numbers(std::optional<std::array<int, 2>>& value, std::optional<int>& third, Range range) {
   std::vector<double> present;
   if (value) present.assign(value->begin(), value->end());
+  if (third) present.push_back(*third);
   return {.value = std::move(present),
-          .set = [&value](const std::vector<double>& given) { value = whole_pair(given); },
+          .set =
+              [&value, &third](const std::vector<double>& given) {
+                value = whole_pair(given);
+                if (given.size() > 2) third = static_cast<int>(given[2]);
+              },
           .range = range,
           .count = 2,
-          .whole = true};
+          .whole = true,
+          .one_more = true};
 }
 
 inline Numbers numbers(std::vector<double>& value, Range range) {

@@ -113,8 +113,7 @@ void read_value(const Value& value, const Number& slot, Findings& findings) {
 
 void read_value(const Value& value, const Numbers& slot, Findings& findings) {
   if (!is_kind(value, Node::Kind::list, "must be a list of numbers", findings)) return;
-  if (!has_items(value, std::max<std::size_t>(slot.count, 1), slot.count > 0 ? slot.count : kMaxAngles, findings))
-    return;
+  if (!has_items(value, slot.least(), slot.most(), findings)) return;
   std::vector<double> numbers;
   for (std::size_t i = 0; i < value.node.children.size(); ++i) {
     const Node& child = value.node.children[i];

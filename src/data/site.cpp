@@ -11,6 +11,7 @@
 #include "data/site_grid.hpp"
 #include "data/site_navigation.hpp"
 #include "data/site_places.hpp"
+#include "data/voxel_map.hpp"
 
 namespace alate {
 
@@ -87,13 +88,15 @@ bool read_raster(Site& site, const std::string& dem, const std::string& field, S
 
 bool read_cells(Site& site, SiteFaults& faults) {
   const GridSpec& spec = *site.scenario.grid;
-  if (spec.dem.empty()) {
+  if (spec.dem.empty() && is_voxel_map(spec.map)) {
+    site.voxels = read_voxels(site.scenario, faults);
+  } else if (spec.dem.empty()) {
     site.grid = read_grid(site.scenario, faults);
   } else if (read_raster(site, spec.dem, "grid.dem", faults)) {
     site.band.clearance_m = spec.clearance_m;
     site.grid = cut_grid(std::get<HeightRaster>(site.ground), spec, faults);
   }
-  return site.grid.has_value();
+  return site.grid || site.voxels;
 }
 
 /// False if the ground cannot be read.

@@ -129,7 +129,7 @@ void judge_height(const Site& site, const Vec3& position, const std::string& fie
 }  // namespace
 
 std::optional<Vec3> locate(const Site& site, const PlaceSpec& place, const std::string& field, SiteFaults& faults) {
-  if (place.cell && site.grid) return locate_cell(site, *place.cell, field + ".cell", faults);
+  if (place.cell && (site.grid || site.voxels)) return locate_cell(site, place, field + ".cell", faults);
   const auto xy = locate_plane(site, place, field, faults);
   if (!xy) return std::nullopt;
   if (place.position_m) return Vec3{xy->x(), xy->y(), (*place.position_m)[2]};

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "alate/core/fault.hpp"
+#include "data/scenario_text.hpp"
 
 namespace alate {
 
@@ -30,6 +30,16 @@ std::string read_text_file(const std::string& file, std::size_t most_bytes) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   return text;
+}
+
+std::optional<Fault> binary_fault(std::string_view text) {
+  const auto binary = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || is_control(c); };
+  const auto* const found = std::ranges::find_if(text, binary);
+  if (found == text.end()) return std::nullopt;
+  const std::string_view before(text.begin(), found);
+  return Fault{.line = static_cast<int>(std::ranges::count(before, '\n')) + 1,
+               .column = static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1,
+               .message = "is not a text file"};
 }
 
 bool TextLines::next() {

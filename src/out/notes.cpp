@@ -91,6 +91,11 @@ GroundNote ground_note(const Site& site) {
             .terrain = fmt::format("grid of {} x {} cells", site.grid->columns, site.grid->rows),
             .cell_m = site.grid->cell_m};
   }
+  if (site.voxels) {
+    const auto& [x, y, z] = site.voxels->size();
+    return {
+        .kind = "voxels", .terrain = fmt::format("map of {} x {} x {} voxels", x, y, z), .cell_m = site.voxels->cell_m};
+  }
   return {.kind = "none"};
 }
 
@@ -101,6 +106,13 @@ std::string notice(const Site& site) {
         "Planning help, not clearance to fly. The ground is a {}, {:.3g} m wide, free or blocked; the route lies in "
         "their plane, and heights are marks of the cells.",
         ground.terrain, site.grid->cell_m);
+  }
+  if (site.voxels) {
+    return fmt::format(
+        "Planning help, not clearance to fly. The air is a {}, {:.3g} m wide, free or blocked; heights are metres "
+        "above "
+        "its floor.",
+        ground.terrain, site.voxels->cell_m);
   }
   std::string text = "Planning help, not clearance to fly. Heights are metres above mean sea level";
   if (!ground.datum.empty()) text += fmt::format(" (vertical datum of the terrain: {})", ground.datum);

@@ -3,21 +3,24 @@
 
 #include "plan/grid_exact.hpp"
 #include "plan/grid_planners.hpp"
+#include "plan/voxel_plan.hpp"
 #include "search/grid/anya.hpp"
 #include "search/grid/keep_clear.hpp"
+#include "search/voxel/voxel_theta.hpp"
 
 namespace alate {
 
 namespace {
 
 /// Legs at any angle, which turn at corners of blocked cells.
-struct AnyAngle {
+struct AnyAngle : GridLegs {
   static double least_length(const Problem& problem) {
     return (problem.mission.goal - problem.mission.start).head<2>().norm();
   }
   /// `check` lets a leg pass a corner through the free cells beside it, not through the corner itself, and takes places
   /// a thousandth of a millimetre apart for one: so the route keeps a hair of twice that from corners.
-  static std::vector<Vec3> places(const HeightGrid& grid, const BitGrid& cells, const AnyAngleWay& way) {
+  static std::vector<Vec3> places(const Problem& problem, const BitGrid& cells, const AnyAngleWay& way) {
+    const HeightGrid& grid = *problem.world.site().grid;
     constexpr double kHair_m = 2e-6;
     std::vector<Vec3> places;
     for (const GridPoint& point : kept_clear(cells, way.points, kHair_m / grid.cell_m)) {
@@ -38,14 +41,16 @@ struct AnyAngle {
 }  // namespace
 
 PlannerEntry theta_star_entry() {
-  return grid_exact_entry<Anya, AnyAngle>(
+  PlannerEntry entry = grid_exact_entry<Anya, AnyAngle>(
       {.name = "theta-star",
        .help =
            "The shortest way at any angle over a grid, proven: it turns at corners of blocked cells, by a hair, and "
            "no way from cell to cell is shorter. In the place of Theta* (Nash et al. 2007), whose ways are short "
-           "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016).",
-       .preset = {.name = "anya", .help = "Exact search over what corners see of rows of cells.", .values = {}},
+           "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016). Among voxels Lazy Theta* "
+           "(Nash, Koenig and Tovey 2010): short, never longer than from cell to cell, but not proven the shortest.",
+       .preset = {.name = "default", .help = "Anya over a grid, Lazy Theta* among voxels.", .values = {}},
        .fits = ""});
+  return with_voxels(std::move(entry), [] { return Planner(CellExact<VoxelTheta, VoxelLines>()); });
 }
 
 }  // namespace alate

@@ -66,6 +66,7 @@ std::string no_way(const Problem& problem, const CostToGo& guidance) {
 std::string attitude_refusal(const Problem& problem) {
   if (problem.world.site().navigation)
     return "knows nothing of navigation errors and correction points; take label-setting, or leave out navigation";
+  if (problem.world.site().voxels) return "flies through the air, not among voxels; take jps, or leave out grid";
   if (problem.world.site().grid)
     return "flies through the air, not from cell to cell; take grid-aco, or leave out grid";
   const Vehicle& vehicle = problem.vehicle;

@@ -70,16 +70,21 @@ std::vector<IterationStats> in_metres(std::vector<IterationStats> history, doubl
 
 std::string grid_refusal(const Problem& problem) {
   const Site& site = problem.world.site();
-  const ObjectiveSpec& objective = problem.objective;
+  if (site.voxels) return "steps from cell to cell in one plane, not among voxels; take jps";
   if (!site.grid) return "steps from cell to cell of a grid; add grid";
   if (!cell_of(*site.grid, problem.mission.start) || !cell_of(*site.grid, problem.mission.goal))
     return "starts and ends in the middle of free cells; give start.cell and goal.cell";
+  return step_refusal(problem);
+}
+
+std::string step_refusal(const Problem& problem) {
+  const Site& site = problem.world.site();
   if (site.navigation) return "knows nothing of navigation errors; leave out navigation";
   if (!site.threats.empty()) return "knows nothing of threats; leave them out, or block their cells";
   if (site.vehicle.turn_radius_m)
     return "flies straight legs with corners, which the vehicle's turning radius forbids; leave out "
            "vehicle.turn_radius_m";
-  if (objective.model != CostModel::physical || objective.length <= 0)
+  if (problem.objective.model != CostModel::physical || problem.objective.length <= 0)
     return "looks for short routes; set objective.model to physical and objective.length above 0";
   return "";
 }

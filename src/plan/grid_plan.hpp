@@ -14,6 +14,9 @@ namespace alate {
 /// Why shortest routes from cell to cell are not what the problem asks for; empty if they are.
 std::string grid_refusal(const Problem& problem);
 
+/// The part of a refusal that maps of any kind share: what steps from cell to cell do not know of.
+std::string step_refusal(const Problem& problem);
+
 /// Column and row of a cell, (0, 0) in the upper left.
 struct GridCellPlace {
   int column = 0;

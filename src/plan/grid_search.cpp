@@ -2,17 +2,21 @@
 #include "plan/grid_exact.hpp"
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
+#include "plan/voxel_plan.hpp"
 #include "search/grid/astar.hpp"
 #include "search/grid/jps.hpp"
+#include "search/voxel/voxel_astar.hpp"
+#include "search/voxel/voxel_jps.hpp"
 
 namespace alate {
 
 namespace {
 
 /// From middle to middle, one place a corner.
-struct CellToCell {
+struct CellToCell : GridLegs {
   static double least_length(const Problem& problem) { return alate::least_length(problem); }
-  static std::vector<Vec3> places(const HeightGrid& grid, const BitGrid& /*cells*/, const GridWay& way) {
+  static std::vector<Vec3> places(const Problem& problem, const BitGrid& /*cells*/, const GridWay& way) {
+    const HeightGrid& grid = *problem.world.site().grid;
     std::vector<Vec3> places;
     places.reserve(way.corners.size());
     for (const GridPlace corner : way.corners) places.push_back(grid.center(corner.column - 1, corner.row - 1));
@@ -21,35 +25,37 @@ struct CellToCell {
   static double proven_cost(const Problem& /*problem*/, const GridWay& /*way*/, double cost) { return cost; }
 };
 
-template <class Search>
+template <class Search, class InSpace>
 PlannerEntry exact_entry(std::string name, std::string help) {
-  return grid_exact_entry<Search, CellToCell>(
+  PlannerEntry entry = grid_exact_entry<Search, CellToCell>(
       {.name = std::move(name),
        .help = std::move(help),
        .preset = {.name = "default", .help = "It has no parameters.", .values = {}},
        .fits = "on a grid where only length counts, exact search is quick and proves its route the shortest from cell "
                "to cell"});
+  return with_voxels(std::move(entry), [] { return Planner(CellExact<InSpace, VoxelToVoxel>()); });
 }
 
 }  // namespace
 
 PlannerEntry jps_entry() {
-  PlannerEntry entry = exact_entry<JumpPointSearch>(
+  PlannerEntry entry = exact_entry<JumpPointSearch, VoxelJps>(
       "jps",
-      "Jump point search: the shortest way from cell to cell of a grid, proven, and the quickest to find it (Harabor "
-      "and Grastien 2011, 2014).");
-  entry.refuses = [](const Problem& problem) -> std::string {
+      "Jump point search: the shortest way from cell to cell of a grid or of voxels, proven, and the quickest to find "
+      "it (Harabor and Grastien 2011, 2014; Nobes, Harabor, Wybrow and Walsh 2022).");
+  entry.refuses = [refuses = entry.refuses](const Problem& problem) -> std::string {
     if (is_over_terrain(problem.world.site()))
       return "jumps over cells that all cost the same, and over terrain each leg has a cost of its own; take astar or "
              "theta-star";
-    return grid_refusal(problem);
+    return refuses(problem);
   };
   return entry;
 }
 
 PlannerEntry astar_entry() {
-  return exact_entry<GridAStar>(
-      "astar", "A*: the shortest way from cell to cell of a grid, proven (Hart, Nilsson and Raphael 1968).");
+  return exact_entry<GridAStar, VoxelAStar>(
+      "astar",
+      "A*: the shortest way from cell to cell of a grid or of voxels, proven (Hart, Nilsson and Raphael 1968).");
 }
 
 }  // namespace alate

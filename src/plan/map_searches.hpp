@@ -8,21 +8,27 @@
 
 #include "alate/world/world.hpp"
 #include "search/grid/bit_grid.hpp"
+#include "search/voxel/voxel_bits.hpp"
 
 namespace alate {
 
-/// Lends searches on the grid of a world. Those that came back are lent again while the world is the same, so that a
-/// query neither reads the map nor allocates; they keep the world alive. Any thread may borrow: each gets its own.
-template <class Search>
+inline const HeightGrid& map_of(const Site& site, const BitGrid* /*cells*/) { return *site.grid; }
+inline const VoxelGrid& map_of(const Site& site, const VoxelBits* /*cells*/) { return *site.voxels; }
+
+/// Lends searches on the grid of a world, or its voxels. Those that came back are lent again while the world is the
+/// same, so that a query neither reads the map nor allocates; they keep the world alive. Any thread may borrow: each
+/// gets its own.
+template <class Search, class Cells>
 class MapSearches {
  public:
   struct Item {
-    explicit Item(const World& w) : world(w), cells(*w.site().grid), search(cells) {}
+    explicit Item(const World& w)
+        : world(w), cells(map_of(w.site(), static_cast<const Cells*>(nullptr))), search(cells) {}
     Item(const Item&) = delete;
     Item& operator=(const Item&) = delete;
 
     World world;
-    BitGrid cells;
+    Cells cells;
     Search search;
   };
   using Loan = std::unique_ptr<Item>;

@@ -97,6 +97,7 @@ std::string search_lattice(const Task& task, const LatticeOptions& options, Plan
 
 std::string terrain_refusal(const Problem& problem) {
   const Site& site = problem.world.site();
+  if (site.voxels) return "flies through the air, not among voxels; take jps, or leave out grid";
   if (site.grid) return "flies through the air, not from cell to cell; take grid-aco, or leave out grid";
   if (site.navigation)
     return "knows nothing of navigation errors and correction points; take label-setting, or leave out navigation";

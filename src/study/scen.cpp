@@ -38,15 +38,35 @@ ScenTasks tasks_on_grid(ScenFile file) {
   return all;
 }
 
+ScenTasks tasks_among_voxels(VoxelScenFile file) {
+  ScenTasks all;
+  all.tasks.reserve(file.rows.size());
+  for (const VoxelScenRow& row : file.rows) {
+    const Mission mission{.start = file.voxels.center(row.start), .goal = file.voxels.center(row.goal)};
+    all.tasks.push_back({mission, row.optimum * file.voxels.cell_m});
+  }
+  all.site.voxels = std::move(file.voxels);
+  return all;
+}
+
+/// No tasks, and faults, where the file cannot be read.
+ScenTasks tasks_of(const std::string& file, std::vector<Fault>& faults) {
+  if (file.ends_with(".3dscen")) {
+    auto scen = read_voxel_scen_file(file, faults);
+    return scen ? tasks_among_voxels(std::move(*scen)) : ScenTasks{};
+  }
+  auto scen = read_scen_file(file, faults);
+  return scen ? tasks_on_grid(std::move(*scen)) : ScenTasks{};
+}
+
 ScenTasks read_tasks(const std::string& file, const ScenOptions& options) {
   std::vector<Fault> faults;
-  auto scen = read_scen_file(file, faults);
+  ScenTasks all = tasks_of(file, faults);
   const std::string& name = options.request.name;
   const Registry& planners = builtin_planners();
   if (!name.empty() && planners.find(name) == nullptr)
     faults.push_back(unknown_name({.file = "--planner"}, "planner", name, planners.names()));
   throw_if_any(std::move(faults));
-  ScenTasks all = tasks_on_grid(std::move(*scen));
   all.site.scenario.file = file;
   all.site.scenario.objective.climb = 0;
   std::ranges::stable_sort(all.tasks, std::ranges::greater{}, &ScenTask::optimum);

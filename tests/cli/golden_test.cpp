@@ -31,6 +31,11 @@ TEST(Golden, Corrections) {
   EXPECT_EQ(difference_from_golden(result_of({"plan", kCorrectionPoints, "--json", "--front"}), "corrections"), "");
 }
 
+TEST(Golden, Voxels) {
+  const Json result = result_of({"plan", ALATE_SOURCE_DIR "/examples/voxels/scenario.yaml", "--json"});
+  EXPECT_EQ(difference_from_golden(result, "voxels"), "");
+}
+
 TEST(Golden, ADifferenceIsFound) {
   const Json kept = Json::parse(R"({"cost": 100.0, "route": [{"x_m": 1.0}, {"x_m": 2.0}], "planner": "beam"})");
   const auto changed = [&](const char* place, const Json& value) {

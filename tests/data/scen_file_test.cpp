@@ -101,6 +101,64 @@ TEST_F(ScenFileTest, AnyBytesAreReadOrRefused) {
   }
 }
 
+/// A voxel map and its tasks.
+class VoxelScenFileTest : public ScenFileTest {
+ protected:
+  VoxelScenFileTest() { write("v.3dmap", "voxel 3 2 4\n1 1 1\n"); }
+  std::string voxel_faults_of(const std::string& text, const std::string& name = "v.3dmap.3dscen") {
+    write(name, text);
+    faults_.clear();
+    scen_ = read_voxel_scen_file((folder_ / name).string(), faults_);
+    EXPECT_EQ(scen_.has_value(), faults_.empty());
+    std::string all;
+    for (Fault& fault : faults_) {
+      fault.file = fs::path(fault.file).filename().string();
+      all += to_string(fault) + "\n";
+    }
+    return all;
+  }
+
+  std::optional<VoxelScenFile> scen_;
+};
+
+TEST_F(VoxelScenFileTest, RowsAreReadWithBothKindsOfLineEnds) {
+  for (const char* end : {"\n", "\r\n"}) {
+    EXPECT_EQ(
+        voxel_faults_of(fmt::format("version 1{0}v.3dmap{0}0 0 0 2 1 3 3.5 1.014{0}1\t0 0 1 0 0 0 1.000{0}", end)), "");
+    ASSERT_EQ(scen_->rows.size(), 2U);
+    EXPECT_EQ(scen_->rows[0].goal, (VoxelCell{2, 1, 3}));
+    EXPECT_EQ(scen_->rows[0].optimum, 3.5);
+    EXPECT_EQ(scen_->voxels.size(), (VoxelCell{3, 2, 4}));
+  }
+}
+
+TEST_F(VoxelScenFileTest, EveryFaultIsToldWithItsLine) {
+  EXPECT_EQ(
+      voxel_faults_of("version 1\n"
+                      "v.3dmap\n"
+                      "0 0 0 2 1 3 3.5\n"
+                      "0 0 4 1 1 1 3.5 1\n"
+                      "0 x 0.5 0 0 0 nan -1\n"),
+      "v.3dmap.3dscen:3: wrong number of columns: start x, y and z, goal x, y and z, length, ratio (got 7, allowed "
+      "8)\n"
+      "v.3dmap.3dscen:4:5: start z: out of range (got 4, allowed 0 to 3)\n"
+      "v.3dmap.3dscen:4:7: goal x: the cell [1, 1, 1] is blocked (got 1, allowed a free cell)\n"
+      "v.3dmap.3dscen:5:3: start y: must be a number (got x, allowed 0 to 1)\n"
+      "v.3dmap.3dscen:5:5: start z: must be a whole number (got 0.5, allowed 0 to 3)\n"
+      "v.3dmap.3dscen:5:15: optimal length: must be finite (got nan, allowed 0 to 1000000000)\n"
+      "v.3dmap.3dscen:5:19: ratio: out of range (got -1, allowed 0 to 1000000000)\n");
+}
+
+TEST_F(VoxelScenFileTest, TasksOfAnotherMapAreRefused) {
+  EXPECT_EQ(voxel_faults_of("version 1\nv.3dmap\n0 0 0 2 1 3 3.5 1\n", "w.3dmap.3dscen"),
+            "w.3dmap.3dscen:2:1: map: the rows are of another map than the name of the file says (got v.3dmap, allowed "
+            "w.3dmap)\n");
+  EXPECT_EQ(voxel_faults_of("version 1\nw.3dmap\n0 0 0 2 1 3 3.5 1\n", "w.3dmap.3dscen"), "w.3dmap: no such file\n");
+  EXPECT_EQ(voxel_faults_of("version 1\n"), "v.3dmap.3dscen:1: the file has a version but no rows\n");
+  EXPECT_EQ(voxel_faults_of("version 1\nv.3dmap\n"), "v.3dmap.3dscen:2: the file has a version but no rows\n");
+  EXPECT_EQ(voxel_faults_of(""), "v.3dmap.3dscen: the file is empty\n");
+}
+
 TEST(ScenTolerance, FollowsTheDigitsWritten) {
   EXPECT_DOUBLE_EQ(scen_tolerance(0), 1e-3);
   EXPECT_DOUBLE_EQ(scen_tolerance(999), 1e-3);

@@ -88,7 +88,8 @@ class Generator {
     return g;
   }
   PlaceSpec place(const Scenario& s) {
-    if (s.grid) return {.cell = {{pick(10'000), pick(10'000)}}};
+    if (s.grid)
+      return {.cell = {{pick(10'000), pick(10'000)}}, .layer = coin() ? std::optional(pick(10'000)) : std::nullopt};
     const bool automatic = !s.frame.local && !s.frame.origin && s.frame.crs == "auto";
     if (s.frame.local || (!automatic && coin())) return {.position_m = position<3>()};
     PlaceSpec p{.lat_deg = number(-90, 90), .lon_deg = number(-180, 180)};

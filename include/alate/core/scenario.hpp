@@ -56,9 +56,9 @@ enum class GridHeights {
   peaks  ///< |MATLAB's peaks|, rotated by 90 degrees (Yin et al. 2021).
 };
 
-/// A grid of free and blocked cells, from a file, drawn, or cut from a raster of heights.
+/// Free and blocked cells in the plane or in space, from a file, drawn, or cut from a raster of heights.
 struct GridSpec {
-  std::string map;  ///< Moving AI map, already resolved against the scenario's folder; empty if there is none.
+  std::string map;  ///< Moving AI map (.map, .3dmap), resolved against the scenario's folder; empty if there is none.
   std::optional<RandomGridSpec> random;
   std::string dem;                     ///< Raster file, resolved in the same way; empty if there is none.
   std::optional<double> level_amsl_m;  ///< Flight level; with `dem` only.
@@ -73,7 +73,8 @@ struct GridSpec {
 /// ground.
 struct PlaceSpec {
   std::optional<std::array<double, 3>> position_m;
-  std::optional<std::array<int, 2>> cell;  ///< Column, row; (0, 0) is the upper left.
+  std::optional<std::array<int, 2>> cell;  ///< Column, row, (0, 0) is the upper left; or x and y of a voxel.
+  std::optional<int> layer;                ///< z of a voxel, the third number of `cell`.
   std::optional<double> lat_deg;
   std::optional<double> lon_deg;
   std::optional<double> amsl_m;

@@ -12,6 +12,7 @@
 #include "alate/data/height_grid.hpp"
 #include "alate/data/height_raster.hpp"
 #include "alate/data/peaks.hpp"
+#include "alate/data/voxel_grid.hpp"
 
 namespace alate {
 
@@ -94,6 +95,7 @@ struct Site {
   Frame frame = Frame::local();
   std::variant<std::monostate, HeightRaster, PeakGround> ground;
   std::optional<HeightGrid> grid;
+  std::optional<VoxelGrid> voxels;  ///< In place of `grid`; never beside ground.
   Band band;
   Mission mission;
   Vehicle vehicle;

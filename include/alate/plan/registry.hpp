@@ -19,7 +19,8 @@ struct Abilities {
   bool deterministic = false;  ///< The seed changes nothing.
   bool terrain = false;        ///< Rounds terrain.
   bool threats = false;
-  std::string space;  ///< "attitude lattice", ...
+  bool voxels = false;  ///< Serves voxel maps beside its space.
+  std::string space;    ///< "attitude lattice", ...
 };
 
 struct Preset {

@@ -1,4 +1,4 @@
-// A grid planner on the tasks of the Moving AI path-finding benchmarks.
+// A planner on grids or voxels on the tasks of the Moving AI path-finding benchmarks.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,8 @@ struct ScenSummary {
   bool stopped = false;
 };
 
-/// Reads a `.map.scen` file with its map (Sturtevant 2012), and plans row by row. What is timed is Planner::plan from
+/// Reads a `.map.scen` file with its map (Sturtevant 2012), or a `.3dmap.3dscen` file with its voxels (Brewer and
+/// Sturtevant 2018), and plans row by row. What is timed is Planner::plan from
 /// the ends of a row to its route, with lower bound; not reading, not the check, and not what a planner prepares once
 /// for a map, which a first run that is stopped at once has done. Throws InputError with every fault of the file, or
 /// for a planner that does not exist or cannot serve.

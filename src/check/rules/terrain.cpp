@@ -27,7 +27,8 @@ void judge_height_above_sea(const Leg& leg, double ceiling_m, RuleReport& report
 
 RuleReport judge_terrain_clearance(const Flight& flight) {
   RuleReport report("terrain_clearance");
-  if (flight.site.grid) {  // over ground a leg may have two findings: one for its cells, one for its height
+  if (flight.site.grid ||
+      flight.site.voxels) {  // over ground a leg may have two findings: one for its cells, one for its height
     judge_blocked_cells(flight, report);
   } else if (!flight.site.has_ground()) {
     report.not_checked("the scenario has no terrain");

@@ -32,10 +32,9 @@ Box2 proportioned(const Box2& box, double least = kLeastSize) {
   return {center - wanted / 2, center + wanted / 2};
 }
 
-/// The whole grid, and a route that leaves it.
-Box2 area_of(const HeightGrid& grid, const Route& route) {
+/// The whole map of cells, and a route that leaves it.
+Box2 area_of(Box2 box, const Route& route) {
   constexpr double kBorder = 0.02;
-  Box2 box = grid.area();
   for (const RouteState& state : route.states) include(box, state.position.head<2>(), 0);
   return proportioned(widened(box, kBorder * (box.max - box.min).maxCoeff()), 0);
 }
@@ -43,7 +42,8 @@ Box2 area_of(const HeightGrid& grid, const Route& route) {
 }  // namespace
 
 MapFrame map_frame(const Site& site, const Route& route, double width) {
-  if (site.grid) return {.area = area_of(*site.grid, route), .width = width};
+  if (site.grid) return {.area = area_of(site.grid->area(), route), .width = width};
+  if (site.voxels) return {.area = area_of(site.voxels->area(), route), .width = width};
   const Mission& mission = site.mission;
   Box2 box{mission.start.head<2>(), mission.start.head<2>()};
   include(box, mission.goal.head<2>(), mission.tolerance_m);

@@ -19,7 +19,8 @@ struct MapFrame {
   Vec2 operator()(const Vec3& xyz) const { return (*this)(Vec2(xyz.head<2>())); }
 };
 
-/// Holds start, goal, route and the threats near them, with a margin; or the whole grid. Neither a strip nor a tower.
+/// Holds start, goal, route and the threats near them, with a margin; or the whole grid, or the voxels from above.
+/// Neither a strip nor a tower.
 MapFrame map_frame(const Site& site, const Route& route, double width);
 
 }  // namespace alate

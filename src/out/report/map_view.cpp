@@ -37,10 +37,16 @@ bool in_blocked_cell(const HeightGrid& grid, const Vec3& at) {
   return cell && grid.blocked_at((*cell)[0], (*cell)[1]);
 }
 
+bool in_blocked_cell(const VoxelGrid& voxels, const Vec3& at) {
+  const auto cell = voxels.cell_at(at);
+  return cell && voxels.blocked_at(*cell);
+}
+
 /// May the straight flight from start to goal not pass here: outside the band, over unknown ground, in a core or in a
 /// blocked cell?
 bool is_barred(const Site& site, const Vec3& at) {
   if (leaves_band(site, at) || (site.grid && in_blocked_cell(*site.grid, at))) return true;
+  if (site.voxels && in_blocked_cell(*site.voxels, at)) return true;
   return std::ranges::any_of(site.threats, [&](const Threat& threat) {
     const bool sphere = threat.shape == Threat::Shape::sphere;
     const double distance = sphere ? (at - threat.center).norm() : (at - threat.center).head<2>().norm();
@@ -220,7 +226,8 @@ std::string legend(const Shown& shown) {
   if (std::ranges::any_of(site.threats, [](const Threat& t) { return t.core_m > 0; }))
     items += key("s-core", "Core: must not be entered");
   if (site.grid) items += key("s-blocked", "Blocked cell");
-  if (!shown.ground.bands.empty()) items += height_key(shown.ground, "Ground from, m:");
+  const char* heights = site.voxels ? "Top of the highest blocked cell from, m:" : "Ground from, m:";
+  if (!shown.ground.bands.empty()) items += height_key(shown.ground, heights);
   if (shown.ground.has_unknown) items += key("s-unknown", "Ground not known");
   if (!shown.result.plan.route.empty() && !shown.result.verdict.violations.empty())
     items += key("s-broken", "Place where a rule is broken");
@@ -254,6 +261,10 @@ std::string map_figure(const Result& result) {
   if (site.grid) {
     ground = grid_picture(*site.grid);
     draw_grid(svg, map, *site.grid, ground);
+  } else if (site.voxels) {
+    const HeightGrid tops = seen_from_above(*site.voxels);
+    ground = voxel_picture(tops);
+    draw_grid(svg, map, tops, ground);
   } else if (site.has_ground()) {
     ground = hillshade(site, map.area, kPictureColumns);
     svg.image({0, 0}, {svg.width(), svg.height()}, to_png(ground.image), "relief");

@@ -32,6 +32,17 @@ std::optional<double> ceiling_at(const Band& band, const ProfileSample& sample) 
   return ceiling;
 }
 
+/// The whole height of a voxel map.
+Scale height_scale(const VoxelGrid& voxels, const Samples& samples) {
+  double low = 0;
+  double high = voxels.extent().z() * voxels.cell_m;
+  for (const ProfileSample& sample : samples) {
+    low = std::min(low, sample.position.z());
+    high = std::max(high, sample.position.z());
+  }
+  return {low, high, kArea.corner.y() + kArea.size.y(), kArea.corner.y()};
+}
+
 /// From the lowest ground to above the highest of route, ground and (unless far above) ceiling.
 Scale height_scale(const Band& band, const Samples& samples) {
   double low = std::numeric_limits<double>::infinity();
@@ -111,6 +122,31 @@ void draw_unknown(const Drawing& drawing, const Samples& samples) {
   }
 }
 
+/// The blocked cells above and below the route, column by column.
+void draw_voxels(const Drawing& drawing, const VoxelGrid& voxels, const Samples& samples) {
+  const auto column_of = [&](const ProfileSample& sample) {
+    const Vec3& at = sample.position;
+    return voxels.cell_at({at.x(), at.y(), voxels.cell_m / 2});
+  };
+  for (auto begin = samples.begin(); begin + 1 < samples.end();) {
+    const auto column = column_of(*begin);
+    const auto end = std::find_if(begin + 1, samples.end() - 1, [&](const auto& s) { return column_of(s) != column; });
+    for (int z = 0; column && z < voxels.size()[2];) {
+      const auto is_blocked = [&](int at) {
+        return at < voxels.size()[2] && voxels.blocked_at({(*column)[0], (*column)[1], at});
+      };
+      int top = z;
+      while (is_blocked(top)) ++top;
+      if (top > z) {
+        const Vec2 corner = drawing.at(begin->along_m, top * voxels.cell_m);
+        drawing.svg.rect(corner, drawing.at(end->along_m, z * voxels.cell_m) - corner, "voxel");
+      }
+      z = top + 1;
+    }
+    begin = end;
+  }
+}
+
 void draw_threat_spans(const Drawing& drawing, const std::vector<ThreatSpan>& spans) {
   for (const ThreatSpan& span : spans) {
     const Vec2 corner{drawing.at(span.from_m, 0).x(), kArea.corner.y()};
@@ -159,6 +195,7 @@ std::string legend(const ProfileKey& shown) {
     if (band.ceiling_amsl_m) limits += fmt::format(", at most {:.0f} m above sea level", *band.ceiling_amsl_m);
     items += key("s-band", limits);
   }
+  if (shown.site.voxels) items += key("s-blocked", "Blocked cells above and below the route");
   if (shown.threats) items += key("s-threat", "Inside a threat's radius");
   if (shown.unknown) items += key("s-unknown", "Ground not known");
   if (shown.exaggeration > 1.5)
@@ -180,13 +217,14 @@ std::string profile_figure(const Result& result) {
   const Drawing drawing{svg,
                         {.area = kArea,
                          .x = {0, length_m / unit_m, kArea.corner.x(), kArea.corner.x() + kArea.size.x()},
-                         .y = height_scale(site.band, samples),
+                         .y = site.voxels ? height_scale(*site.voxels, samples) : height_scale(site.band, samples),
                          .x_title = in_km ? "Distance flown, km" : "Distance flown, m",
-                         .y_title = "Height above sea level, m"},
+                         .y_title = site.voxels ? "z, m" : "Height above sea level, m"},
                         unit_m};
   const auto spans = threat_spans(site, samples);
   draw_axes(svg, drawing.axes);
   svg.begin_clip(kArea.corner, kArea.size);
+  if (site.voxels) draw_voxels(drawing, *site.voxels, samples);
   if (site.has_ground()) draw_band(drawing, site.band, samples);
   draw_threat_spans(drawing, spans);
   if (site.has_ground()) {

@@ -74,6 +74,7 @@ std::string rule_limit(std::string_view rule, const Site& site) {
     if (!site.has_ground()) return "no blocked cell, no corner of one cut";
     return limit("no blocked cell, no corner of one cut; at least", site.band.clearance_m, "m");
   }
+  if (rule == "terrain_clearance" && site.voxels) return "no blocked cell, no edge or corner of one cut";
   if (rule == "terrain_clearance") return limit("at least", site.band.clearance_m, "m");
   if (rule == "ceiling") return ceilings(site.band);
   if (rule == "threat_core") return "outside every core";

@@ -73,6 +73,7 @@ svg .plain { font-weight: 600; }
 svg .grid { stroke: var(--rule); stroke-width: 1; }
 svg .cells { image-rendering: pixelated; }
 svg .cell { stroke: var(--ink); stroke-width: .6; opacity: .25; }
+svg .voxel { fill: var(--blocked); }
 svg .edge { fill: none; stroke: var(--soft); stroke-width: 1.5; }
 svg .blank { fill: var(--card); }
 svg .route { fill: none; stroke: var(--route); stroke-width: 4; stroke-linejoin: round; stroke-linecap: round; }

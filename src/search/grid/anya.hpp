@@ -7,6 +7,7 @@
 #include "search/grid/bucket_queue.hpp"
 #include "search/grid/cone.hpp"
 #include "search/grid/corner_labels.hpp"
+#include "search/grid/octile.hpp"
 #include "search/grid/row_scan.hpp"
 
 namespace alate {

@@ -71,6 +71,8 @@ class BitGrid {
   static GridPlace place(int column, int row) {
     return {static_cast<std::uint16_t>(column + 1), static_cast<std::uint16_t>(row + 1)};
   }
+  /// Numbers of cells are below it.
+  std::size_t cells() const { return by_row_.cells(); }
   Cell cell(GridPlace place) const { return by_row_.cell(place.column, place.row); }
   bool is_free(GridPlace place) const { return !by_row_.is_blocked(cell(place)); }
   /// Bit d: direction d is free; counter-clockwise from east, odd ones diagonal. A diagonal step needs both cells

@@ -7,24 +7,22 @@
 #include <utility>
 #include <vector>
 
-#include "search/grid/octile.hpp"
-
 namespace alate {
 
-/// A bucket is narrower than the least amount by which a step can raise f = g + octile h, 2 kStraight - kDiagonal, so
-/// entries of one bucket that come out in any order hardly ever have to be looked at again (Denardo and Fox 1979); that
-/// they may is the caller's business. Entries lie in one array, linked by bucket; their places are used again.
-template <class Entry>
+/// A bucket is 2^kWidthBits wide; 24 suits OctileCost. Where that is less than the least amount by which a step can
+/// raise f = g + h, entries of one bucket that come out in any order hardly ever have to be looked at again (Denardo
+/// and Fox 1979); that they may is the caller's business. Entries lie in one array, linked by bucket; their places are
+/// used again.
+template <class Entry, unsigned kWidthBits = 24>
 class BucketQueue {
  public:
-  static constexpr unsigned kWidthBits = 24;
-  static_assert((OctileCost{1} << kWidthBits) <= 2 * kStraight - kDiagonal);
+  using Priority = std::uint64_t;
 
   /// `spread`: by how much an entry's priority may exceed the lowest that is or was on top.
-  explicit BucketQueue(OctileCost spread) : heads_(std::bit_ceil((spread >> kWidthBits) + 2), kNone) {}
+  explicit BucketQueue(Priority spread) : heads_(std::bit_ceil((spread >> kWidthBits) + 2), kNone) {}
 
   /// Empties the queue; priorities start at `least`.
-  void clear(OctileCost least) {
+  void clear(Priority least) {
     if (count_ > 0) std::ranges::fill(heads_, kNone);
     links_.clear();
     spare_ = kNone;
@@ -32,8 +30,10 @@ class BucketQueue {
     level_ = least >> kWidthBits;
   }
   bool empty() const { return count_ == 0; }
+  /// No entry's priority is lower.
+  Priority least() const { return level_ << kWidthBits; }
   /// A priority below the lowest bucket counts as in it.
-  void push(OctileCost priority, const Entry& entry) {
+  void push(Priority priority, const Entry& entry) {
     std::uint32_t& head = heads_[std::max(priority >> kWidthBits, level_) & (heads_.size() - 1)];
     const std::uint32_t next = head;
     if (spare_ == kNone) {

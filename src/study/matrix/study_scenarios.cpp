@@ -15,9 +15,10 @@ namespace alate {
 
 namespace {
 
-/// Cells of grids and posts of rasters.
+/// Cells of grids, posts of rasters and voxels.
 std::size_t size_of(const Site& site) {
   std::size_t size = site.grid ? site.grid->blocked.size() : 0;
+  if (site.voxels) size += site.voxels->count();
   if (const auto* raster = std::get_if<HeightRaster>(&site.ground)) size += raster->posts.size();
   return size;
 }
