@@ -1,5 +1,6 @@
 // Exact search on benchmark maps: the 300 longest tasks of each, ours against the textbook's A* in the same run, and
-// jump point search against our A*; then time and memory against the size of drawn maps.
+// jump point search against our A*; ways at any angle against our A* on all tasks; then time and memory against the
+// size of drawn maps.
 //
 // `speedup`: times as fast. Processor time, so that a busy machine counts less.
 #include <benchmark/benchmark.h>
@@ -12,6 +13,7 @@
 #include "../tests/support/grid_sites.hpp"
 #include "../tests/support/shared_data.hpp"
 #include "data/scen_file.hpp"
+#include "search/grid/anya.hpp"
 #include "search/grid/astar.hpp"
 #include "search/grid/directions.hpp"
 #include "search/grid/jps.hpp"
@@ -68,12 +70,15 @@ double literal_astar(const HeightGrid& grid, const Task& task) {
   return lengths[goal];
 }
 
+double length_of(const GridWay& way) { return way.length.value(); }
+double length_of(const AnyAngleWay& way) { return way.length; }
+
 template <class Search>
 double seconds(Search& search, const std::vector<Task>& tasks, double& length) {
   Executor executor(1);
   RunContext run(executor, {});
   const double start = cpu_s();
-  for (const Task& task : tasks) length += search.find(task.start, task.goal, run).length.value();
+  for (const Task& task : tasks) length += length_of(search.find(task.start, task.goal, run));
   return cpu_s() - start;
 }
 
@@ -105,43 +110,83 @@ void compare(benchmark::State& state, const HeightGrid& grid, const std::vector<
   state.counters["jps_over_astar"] = astar_s / jps_s;
 }
 
-void longest_tasks(benchmark::State& state, const std::string& name) {
-  constexpr std::size_t kRows = 300;
+/// One pass over the tasks by A* and at any angle.
+void compare_any_angle(benchmark::State& state, const HeightGrid& grid, const std::vector<Task>& tasks) {
+  const BitGrid cells(grid);
+  GridAStar astar(cells);
+  Anya anya(cells);
+  double astar_s = 0, anya_s = 0;
+  double astar_length = 0, anya_length = 0;
+  for (auto _ : state) {
+    astar_s += seconds(astar, tasks, astar_length);
+    anya_s += seconds(anya, tasks, anya_length);
+  }
+  if (!(anya_length < astar_length)) state.SkipWithError("not shorter");
+  const double queries = static_cast<double>(tasks.size()) * static_cast<double>(state.iterations());
+  state.counters["astar_ms"] = astar_s / queries * 1e3;
+  state.counters["anya_ms"] = anya_s / queries * 1e3;
+  state.counters["anya_over_astar"] = astar_s / anya_s;
+  state.counters["shorter_percent"] = 100 * (1 - anya_length / astar_length);
+}
+
+/// By their length, longest first.
+std::optional<ScenFile> read_tasks(const std::string& name, std::vector<Task>& tasks) {
   std::vector<Fault> faults;
   auto scen = read_scen_file(test::shared_data("movingai/2d/" + name + ".map.scen").string(), faults);
-  if (!scen) return state.SkipWithError("needs the shared data");
+  if (!scen) return scen;
   std::ranges::stable_sort(scen->rows, std::ranges::greater{}, &ScenRow::optimum);
+  for (const ScenRow& row : scen->rows)
+    tasks.push_back({BitGrid::place(row.start_column, row.start_row), BitGrid::place(row.goal_column, row.goal_row)});
+  return scen;
+}
+
+void longest_tasks(benchmark::State& state, const std::string& name) {
+  constexpr std::size_t kRows = 300;
   std::vector<Task> tasks;
-  for (const ScenRow& row : scen->rows) {
-    if (tasks.size() < kRows)
-      tasks.push_back({BitGrid::place(row.start_column, row.start_row), BitGrid::place(row.goal_column, row.goal_row)});
-  }
+  const auto scen = read_tasks(name, tasks);
+  if (!scen) return state.SkipWithError("needs the shared data");
+  tasks.resize(std::min(tasks.size(), kRows));
   compare(state, scen->grid, tasks);
 }
 
+/// 0 rows: all of them.
+void any_angle(benchmark::State& state, const std::string& name, std::size_t rows) {
+  std::vector<Task> tasks;
+  const auto scen = read_tasks(name, tasks);
+  if (!scen) return state.SkipWithError("needs the shared data");
+  if (rows > 0) tasks.resize(std::min(tasks.size(), rows));
+  compare_any_angle(state, scen->grid, tasks);
+}
+
+Task corner_to_corner(int side) { return {BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)}; }
+
 /// A tenth of the cells blocked at random; the first draw with a way between the corners.
-HeightGrid draw_map(int side, const Task& corners) {
+HeightGrid drawn_grid(int side) {
   Executor executor(1);
   RunContext run(executor, {});
+  const auto [start, goal] = corner_to_corner(side);
   for (int seed = 1;; ++seed) {
     HeightGrid grid = draw_grid({.size = {side, side}, .obstacles = 0.1, .seed = seed}, std::array{0, side - 1},
                                 std::array{side - 1, 0});
-    if (JumpPointSearch(BitGrid(grid)).find(corners.start, corners.goal, run).found) return grid;
+    if (JumpPointSearch(BitGrid(grid)).find(start, goal, run).found) return grid;
   }
 }
 
-/// From corner to corner.
 void drawn_map(benchmark::State& state) {
   const auto side = static_cast<int>(state.range(0));
-  const Task corners{BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)};
-  const HeightGrid grid = draw_map(side, corners);
-  compare(state, grid, {corners});
+  const HeightGrid grid = drawn_grid(side);
+  compare(state, grid, {corner_to_corner(side)});
   const BitGrid cells(grid);
   const auto count = static_cast<double>(cells.by_row().cells());
   constexpr double kMiB = 1024.0 * 1024.0;
   state.counters["bits_MiB"] = (count + static_cast<double>(cells.by_column().cells())) / 8 / kMiB;
   state.counters["astar_MiB"] = count * sizeof(CostTable::Key) / kMiB;
   state.counters["jps_MiB"] = count * (sizeof(CostTable::Key) + sizeof(GridPlace) + 1) / kMiB;
+}
+
+void drawn_map_any_angle(benchmark::State& state) {
+  const auto side = static_cast<int>(state.range(0));
+  compare_any_angle(state, drawn_grid(side), {corner_to_corner(side)});
 }
 
 }  // namespace
@@ -152,4 +197,16 @@ ALATE_MAP(brc202d);
 ALATE_MAP(Boston_0_256);
 ALATE_MAP(Berlin_1_512);
 ALATE_MAP(Paris_1_1024);
+
+#define ALATE_ANY_ANGLE(name) BENCHMARK_CAPTURE(any_angle, name, #name, 0)->Iterations(3)->Unit(benchmark::kMillisecond)
+ALATE_ANY_ANGLE(arena);
+ALATE_ANY_ANGLE(den312d);
+ALATE_ANY_ANGLE(lak303d);
+ALATE_ANY_ANGLE(brc202d);
+ALATE_ANY_ANGLE(Boston_0_256);
+ALATE_ANY_ANGLE(Berlin_1_512);
+ALATE_ANY_ANGLE(Paris_1_1024);
+BENCHMARK_CAPTURE(any_angle, Berlin_1_512_longest, "Berlin_1_512", 300)->Iterations(3)->Unit(benchmark::kMillisecond);
+
 BENCHMARK(drawn_map)->RangeMultiplier(2)->Range(256, 4096)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(drawn_map_any_angle)->RangeMultiplier(2)->Range(512, 4096)->Iterations(3)->Unit(benchmark::kMillisecond);

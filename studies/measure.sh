@@ -33,7 +33,7 @@ study() {
 
 # Columns by name: user counters come in the order of the alphabet.
 maps() {
-  build/bench/bin/bench_grid_search --benchmark_filter=drawn_map --benchmark_format=csv >"$out/maps.csv"
+  build/bench/bin/bench_grid_search --benchmark_filter='^drawn_map/' --benchmark_format=csv >"$out/maps.csv"
   {
     echo "Processor time of a query from corner to corner, mean of three, one thread, $(machine)."
     echo
@@ -42,7 +42,7 @@ maps() {
     awk -F, '
       function ms(value) { return sprintf(value < 100 ? "%.3g ms" : "%.0f ms", value) }
       $1 == "name" { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); column[$i] = i } }
-      /drawn_map/ {
+      /drawn_map\// {
         split($1, part, "/")
         printf "| %d x %d | %s | %s | %s | %.2f MiB | %.1f MiB | %.1f MiB |\n", part[2], part[2],
           ms($column["astar_ms"]), ms($column["jps_ms"]), ms($column["literal_ms"]), $column["bits_MiB"],

@@ -7,6 +7,7 @@ namespace alate {
 
 PlannerEntry jps_entry();
 PlannerEntry astar_entry();
+PlannerEntry theta_star_entry();
 PlannerEntry grid_aco_entry();
 
 }  // namespace alate

@@ -46,7 +46,8 @@ const Registry& builtin_planners() {
     registry.add(jps_entry());
     registry.add(
         under_one_name({{.is_for = is_over_terrain, .entry = terrain_astar_entry()}, {.entry = astar_entry()}}));
-    registry.add(terrain_theta_star_entry());
+    registry.add(under_one_name(
+        {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()}, {.entry = theta_star_entry()}}));
     registry.add(grid_aco_entry());
     return registry;
   }();

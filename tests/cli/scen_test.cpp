@@ -1,4 +1,6 @@
 // alate scen and the exact planners on a small map.
+#include <cmath>
+
 #include "program.hpp"
 
 namespace alate::test {
@@ -33,6 +35,18 @@ TEST_F(Scen, CountsWhatIsSolvedAndOptimal) {
     EXPECT_NEAR(json.at("mean_gap").get<double>(), -0.25 / 3, 1e-12);
     EXPECT_GE(json.at("p99_s").get<double>(), json.at("mean_s").get<double>());
   }
+}
+
+TEST_F(Scen, LegsAtAnyAngleAreShorterThanPublished) {
+  const Finished done = scen({"--planner", "theta-star", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = Json::parse(done.out);
+  EXPECT_EQ(json.at("solved"), 3);
+  EXPECT_EQ(json.at("optimal"), 1);
+  EXPECT_EQ(json.at("shorter"), 2);
+  const double round_the_wall = std::hypot(0.5, 1.5) + std::hypot(2.5, 0.5);
+  EXPECT_NEAR(json.at("mean_gap").get<double>(), (round_the_wall / 5 - 1 - 0.25) / 3, 1e-5);
+  expect_contains(scen({"--planner", "theta-star"}).out, {"theta-star (anya)", "shorter   2, as the published"});
 }
 
 TEST_F(Scen, TakesTheLongestRows) {
@@ -74,7 +88,7 @@ TEST_F(Scen, PlansOnAPlainGridBySearchUnlessToldOtherwise) {
 TEST_F(Scen, Parted) {
   write_file(folder_ / "m.map", "type octile\nheight 3\nwidth 4\nmap\n..@.\n..@.\n..@.\n");
   write_file(folder_ / "s.yaml", "grid: {map: m.map}\nstart: {cell: [0, 2]}\ngoal: {cell: [3, 0]}\n");
-  for (const char* planner : {"jps", "astar"}) {
+  for (const char* planner : {"jps", "astar", "theta-star"}) {
     const Finished done = alate({"plan", (folder_ / "s.yaml").string(), "--planner", planner});
     EXPECT_EQ(done.code, 1) << done.err;
     expect_contains(done.out, {"blocked cells part the start from the goal", "[1, 0]"});

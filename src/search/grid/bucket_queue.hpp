@@ -35,13 +35,14 @@ class BucketQueue {
   /// A priority below the lowest bucket counts as in it.
   void push(OctileCost priority, const Entry& entry) {
     std::uint32_t& head = heads_[std::max(priority >> kWidthBits, level_) & (heads_.size() - 1)];
-    const Link link{entry, head};
+    const std::uint32_t next = head;
     if (spare_ == kNone) {
       head = static_cast<std::uint32_t>(links_.size());
-      links_.push_back(link);
+      links_.emplace_back(entry, next);
     } else {
       head = std::exchange(spare_, links_[spare_].next);
-      links_[head] = link;
+      links_[head].entry = entry;
+      links_[head].next = next;
     }
     ++count_;
   }
