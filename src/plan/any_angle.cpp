@@ -38,7 +38,7 @@ struct AnyAngle {
 }  // namespace
 
 PlannerEntry theta_star_entry() {
-  return grid_exact_entry<Anya, AnyAngle>(
+  PlannerEntry entry = grid_exact_entry<Anya, AnyAngle>(
       {.name = "theta-star",
        .help =
            "The shortest way at any angle over a grid, proven: it turns at corners of blocked cells, by a hair, and "
@@ -46,6 +46,8 @@ PlannerEntry theta_star_entry() {
            "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016).",
        .preset = {.name = "anya", .help = "Exact search over what corners see of rows of cells.", .values = {}},
        .fits = ""});
+  entry.can.space = "height grid at any angle";  // what it proves is no optimum from cell to cell
+  return entry;
 }
 
 }  // namespace alate

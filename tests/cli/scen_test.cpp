@@ -46,7 +46,7 @@ TEST_F(Scen, LegsAtAnyAngleAreShorterThanPublished) {
   EXPECT_EQ(json.at("shorter"), 2);
   const double round_the_wall = std::hypot(0.5, 1.5) + std::hypot(2.5, 0.5);
   EXPECT_NEAR(json.at("mean_gap").get<double>(), (round_the_wall / 5 - 1 - 0.25) / 3, 1e-5);
-  expect_contains(scen({"--planner", "theta-star"}).out, {"theta-star (anya)", "shorter   2, as the published"});
+  expect_contains(scen({"--planner", "theta-star"}).out, {"theta-star (default)", "shorter   2, as the published"});
 }
 
 TEST_F(Scen, TakesTheLongestRows) {
