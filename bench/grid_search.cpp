@@ -158,24 +158,23 @@ void any_angle(benchmark::State& state, const std::string& name, std::size_t row
   compare_any_angle(state, scen->grid, tasks);
 }
 
-Task corner_to_corner(int side) { return {BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)}; }
-
 /// A tenth of the cells blocked at random; the first draw with a way between the corners.
-HeightGrid drawn_grid(int side) {
+HeightGrid draw_map(int side, const Task& corners) {
   Executor executor(1);
   RunContext run(executor, {});
-  const auto [start, goal] = corner_to_corner(side);
   for (int seed = 1;; ++seed) {
     HeightGrid grid = draw_grid({.size = {side, side}, .obstacles = 0.1, .seed = seed}, std::array{0, side - 1},
                                 std::array{side - 1, 0});
-    if (JumpPointSearch(BitGrid(grid)).find(start, goal, run).found) return grid;
+    if (JumpPointSearch(BitGrid(grid)).find(corners.start, corners.goal, run).found) return grid;
   }
 }
 
+/// From corner to corner.
 void drawn_map(benchmark::State& state) {
   const auto side = static_cast<int>(state.range(0));
-  const HeightGrid grid = drawn_grid(side);
-  compare(state, grid, {corner_to_corner(side)});
+  const Task corners{BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)};
+  const HeightGrid grid = draw_map(side, corners);
+  compare(state, grid, {corners});
   const BitGrid cells(grid);
   const auto count = static_cast<double>(cells.by_row().cells());
   constexpr double kMiB = 1024.0 * 1024.0;
@@ -186,7 +185,8 @@ void drawn_map(benchmark::State& state) {
 
 void drawn_map_any_angle(benchmark::State& state) {
   const auto side = static_cast<int>(state.range(0));
-  compare_any_angle(state, drawn_grid(side), {corner_to_corner(side)});
+  const Task corners{BitGrid::place(0, side - 1), BitGrid::place(side - 1, 0)};
+  compare_any_angle(state, draw_map(side, corners), {corners});
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Json waypoint_item(const RoutePoint& point, std::size_t jump_id) {
 Json items_of(const RouteToWrite& route) {
   Json items = Json::array();
   if (const auto& speed = route.result.site.vehicle.speed_mps) items.push_back(speed_item(*speed));
-  for (const RoutePoint& point : route.points) items.push_back(waypoint_item(point, items.size() + 1));
+  for (const RoutePoint& point : route.waypoints) items.push_back(waypoint_item(point, items.size() + 1));
   return items;
 }
 
@@ -95,12 +95,12 @@ std::string route_waypoints(const RouteToWrite& route) {
   };
   add(kNavWaypoint, 0, 0, *route.points.front().geo, home_height(site));
   if (const auto& speed = site.vehicle.speed_mps) add(kDoChangeSpeed, *speed, -1, {}, 0);
-  for (const RoutePoint& point : route.points) add(kNavWaypoint, 0, 0, *point.geo, point.state.position.z());
+  for (const RoutePoint& point : route.waypoints) add(kNavWaypoint, 0, 0, *point.geo, point.state.position.z());
   return text;
 }
 
 std::size_t mission_items(const RouteToWrite& route) {
-  return 1 + (route.result.site.vehicle.speed_mps ? 1 : 0) + route.points.size();
+  return 1 + (route.result.site.vehicle.speed_mps ? 1 : 0) + route.waypoints.size();
 }
 
 }  // namespace alate

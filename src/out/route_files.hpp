@@ -9,10 +9,11 @@
 
 namespace alate {
 
-/// A route to write: the points of `result.plan.route`.
+/// A route to write: the points of `result.plan.route`, and those that an autopilot is given.
 struct RouteToWrite {
   const Result& result;
   std::vector<RoutePoint> points;
+  std::vector<RoutePoint> waypoints;
 };
 
 /// One header line and one line a state. It holds no free text, so no cell needs escaping.

@@ -9,6 +9,7 @@
 #include "out/output_folder.hpp"
 #include "out/report/report.hpp"
 #include "out/route_files.hpp"
+#include "out/waypoints.hpp"
 
 namespace alate {
 
@@ -71,15 +72,28 @@ void warn_of_mission(const RouteToWrite& route, Selection& selection) {
                                              items, kCommonMissionItems));
 }
 
+/// The mission goes round corners where the route has arcs.
+void warn_of_corners(const Site& site, const Route& waypoints, Selection& selection) {
+  if (std::ranges::none_of(selection.written, &RouteFormat::flown)) return;
+  for (const Violation& broken : check(site, waypoints).violations)
+    if (broken.rule != "turn")
+      selection.warnings.push_back(
+          fmt::format("the mission has corners around the route's arcs; flown from corner to corner without rounding "
+                      "them, it breaks {} by {:.2f} {} on its leg {}",
+                      broken.rule, std::abs(broken.value - broken.limit), broken.unit, broken.leg));
+}
+
 }  // namespace
 
 void write_results(const std::string& folder, Result& result) {
   OutputFolder output(folder);
   Selection selection;
-  const RouteToWrite route{result, route_points(result.site, result.plan.route)};
+  const Route waypoints = waypoints_of(result.plan.route);
+  const RouteToWrite route{result, route_points(result.site, result.plan.route), route_points(result.site, waypoints)};
   if (!route.points.empty()) {
     selection = select(route);
     warn_of_mission(route, selection);
+    if (waypoints.states.size() != result.plan.route.states.size()) warn_of_corners(result.site, waypoints, selection);
   }
   result.warnings.insert(result.warnings.end(), selection.warnings.begin(), selection.warnings.end());
   result.files = {kResult, kReport};

@@ -5,6 +5,7 @@
 
 #include "plan/attitude_planners.hpp"
 #include "plan/correction_planners.hpp"
+#include "plan/flight_planners.hpp"
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
 #include "plan/under_one_name.hpp"
@@ -49,6 +50,7 @@ const Registry& builtin_planners() {
     registry.add(under_one_name(
         {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()}, {.entry = theta_star_entry()}}));
     registry.add(grid_aco_entry());
+    registry.add(interval_astar_entry());
     return registry;
   }();
   return kRegistry;

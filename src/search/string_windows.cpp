@@ -55,6 +55,7 @@ class Filling {
 
   /// From the last point of the chain to the end of the window.
   void close(Node node, double error, double length_m) {
+    if (node == after_) return;  // a string may come back to a point, but not from itself
     const double last = graph_.length(node, after_);
     const double price = price_.of(length_m + last, chain_.size());
     const ReducedLeg& leg = graph_.leg(node, after_);

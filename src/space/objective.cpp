@@ -1,6 +1,8 @@
 #include "space/objective.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
 
 #include "world/threat_field.hpp"
 
@@ -16,6 +18,40 @@ NodeThreat node_threat(const Threat& threat, double weight) {
     node.top_m = threat.top_m;
   }
   return node;
+}
+
+/// A turn about an upright axis that climbs evenly.
+struct Helix {
+  Vec3 from;
+  Vec2 center;
+  double angle_rad;  ///< Clockwise positive.
+  double rise_m;
+
+  double planar_m() const { return (from.head<2>() - center).norm() * std::abs(angle_rad); }
+  double length() const { return std::hypot(planar_m(), rise_m); }
+  Vec3 at(double t) const {
+    const Vec2 out = from.head<2>() - center;
+    const double c = std::cos(angle_rad * t);
+    const double s = std::sin(angle_rad * t);
+    return {center.x() + c * out.x() + s * out.y(), center.y() + c * out.y() - s * out.x(), from.z() + t * rise_m};
+  }
+};
+
+double exposure(const Threat& threat, const Helix& arc) {
+  const Vec2 middle = arc.center - threat.center.head<2>();
+  if (middle.norm() - (arc.from.head<2>() - arc.center).norm() > threat.radius_m) return 0;
+  const bool cylinder = threat.shape == Threat::Shape::cylinder;
+  const auto density = [&](double t) {
+    const Vec3 at = arc.at(t);
+    if (cylinder && (at.z() < threat.floor_m || at.z() > threat.top_m)) return 0.0;
+    Vec3 offset = at - threat.center;
+    if (cylinder) offset.z() = 0;
+    return std::max(0.0, 1 - offset.norm() / threat.radius_m);
+  };
+  constexpr unsigned kDepth = 15;
+  constexpr double kTolerance = 1e-9;
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
+  return threat.level * arc.length() * Rule::integrate(density, 0.0, 1.0, kDepth, kTolerance);
 }
 
 }  // namespace
@@ -53,7 +89,19 @@ double Objective::mean_threat(const Segment& leg) const {
 
 double Objective::route_cost(const Route& route) const {
   double cost = 0;
-  for (std::size_t i = 1; i < route.states.size(); ++i) cost += leg_cost(route.segment(i));
+  for (std::size_t i = 1; i < route.states.size(); ++i) {
+    const Segment leg = route.segment(i);
+    const auto& arc = route.states[i].arc;
+    cost += arc && is_physical() ? arc_cost(leg, *arc) : leg_cost(leg);
+  }
+  return cost;
+}
+
+double Objective::arc_cost(const Segment& ends, const Arc& arc) const {
+  const double rise = ends.b.z() - ends.a.z();
+  const Helix helix{.from = ends.a, .center = arc.center, .angle_rad = arc.angle_rad, .rise_m = rise};
+  double cost = weights_.length * helix.length() + weights_.climb * std::max(0.0, rise);
+  for (const Threat& threat : world_.site().threats) cost += weights_.threat * exposure(threat, helix);
   return cost;
 }
 

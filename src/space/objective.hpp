@@ -25,6 +25,7 @@ class Objective {
   explicit Objective(const World& world, ThreatsAt threats_at = ThreatsAt::nodes);
 
   double leg_cost(const Segment& leg) const;
+  /// Arcs about upright axes count as they are flown under the physical model.
   double route_cost(const Route& route) const;
 
   /// Fills costs of candidates of one expansion; those out of K stay infinite.
@@ -37,6 +38,7 @@ class Objective {
   bool is_of_nodes() const { return !is_physical() && threats_at_ == ThreatsAt::nodes; }
 
  private:
+  double arc_cost(const Segment& ends, const Arc& arc) const;
   bool near_threat(const Vec3& position, double reach_m) const;
   double threat_at(const Vec3& node) const;
   double mean_threat(const Segment& leg) const;

@@ -8,6 +8,7 @@
 
 #include "alate/out/result.hpp"
 #include "out/route_files.hpp"
+#include "out/waypoints.hpp"
 
 namespace alate::test {
 
@@ -89,7 +90,8 @@ class TemporaryFolder {
 };
 
 inline RouteToWrite to_write(const Flight& flight) {
-  return {flight.result, route_points(flight.site, flight.result.plan.route)};
+  const Route& route = flight.result.plan.route;
+  return {flight.result, route_points(flight.site, route), route_points(flight.site, waypoints_of(route))};
 }
 
 inline std::string read_text(const std::filesystem::path& file) {

@@ -92,6 +92,7 @@ TEST(Choose, AVehicleWithoutStepsIsToldWhichKeysToAdd) {
   site.scenario.file = "a.yaml";
   site.scenario.marks["vehicle"] = {.file = "a.yaml", .line = 4, .column = 1};
   site.vehicle.step_m.reset();
+  site.vehicle.turn_radius_m.reset();
   site.vehicle.roll_rad.clear();
   for (const PlannerRequest& request : {PlannerRequest{}, PlannerRequest{.name = "greedy"}}) {
     const auto faults = faults_of(site, request);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "data/correction_law.hpp"
 #include "search/label_setting/shortest.hpp"
 #include "search/sparse_astar.hpp"
@@ -63,6 +65,25 @@ TEST_F(StringWindowsTest, AWindowOverAShortRouteFindsTheShortest) {
     EXPECT_NEAR(after.length_m, best->length_m, 1e-6) << seed;
   }
   EXPECT_GT(judged, 5);
+}
+
+/// A string that comes back to its points, as crossing two may: no window may leave a point beside itself.
+TEST_F(StringWindowsTest, ALoopIsLeftOutWhole) {
+  int loops = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Case one(CorrectionLaw::set2, 300, seed, run_);
+    if (!one.first.found || one.first.points.size() < 3) continue;
+    for (std::size_t i = 0; i + 1 < one.first.points.size(); ++i) {
+      PointString looped = one.first.points;
+      looped.insert(looped.begin() + static_cast<std::ptrdiff_t>(i) + 2, one.first.points[i]);  // a b a
+      const bool already = std::ranges::adjacent_find(looped) != looped.end();
+      if (already || !fly(one.graph, looped).keeps_limits) continue;
+      ++loops;
+      StringWindows(one.graph, one.successors, {}, {.most_old = 1}).improve(looped, run_);
+      EXPECT_EQ(std::ranges::adjacent_find(looped), looped.end()) << seed << " " << i;
+    }
+  }
+  EXPECT_GT(loops, 5);
 }
 
 TEST_F(StringWindowsTest, DearCorrectionsAreLeftOut) {

@@ -1,0 +1,10 @@
+// Planners for flights of Dubins pieces over real ground.
+#pragma once
+
+#include "alate/plan/registry.hpp"
+
+namespace alate {
+
+PlannerEntry interval_astar_entry();
+
+}  // namespace alate

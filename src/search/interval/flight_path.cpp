@@ -1,0 +1,249 @@
+#include "search/interval/flight_path.hpp"
+
+#include <cmath>
+
+#include "space/dubins/dubins_point.hpp"
+
+namespace alate {
+
+namespace {
+
+constexpr double kGain = 1e-4;            ///< Metres; less is not worth a change.
+constexpr double kLeastStraight_m = 0.1;  ///< Shorter pieces have no direction, to the rounding of places.
+
+bool same(const AltitudeLabel& a, const AltitudeLabel& b) {
+  return a.low == b.low && a.high == b.high && a.ascent == b.ascent && a.free == b.free;
+}
+bool same(const BackwardLabel& a, const BackwardLabel& b) {
+  return a.low == b.low && a.high == b.high && a.ascent == b.ascent && a.free == b.free;
+}
+
+}  // namespace
+
+FlightPath::FlightPath(const FlightCost& cost, const FlightEnd& end, const Track& track, double z)
+    : cost_(&cost), end_(end) {
+  for (const PlanarPiece& piece : track) {
+    poses_.push_back(piece.start);
+    legs_.push_back({.track = {piece}, .cost = 0});
+  }
+  // The last arc and straight piece are one leg, to be led to the end as a whole.
+  if (legs_.size() > 1 && legs_.back().track.front().steering == Steering::straight) {
+    legs_[legs_.size() - 2].track.push_back(track.back());
+    legs_.pop_back();
+    poses_.pop_back();
+  }
+  forward_.resize(legs_.size() + 1);
+  backward_.resize(legs_.size() + 1);
+  forward_[0] = AltitudeLabel::at(z);
+  note_forward(0);
+  note_end();
+}
+
+void FlightPath::note_end() {
+  least_climb_ = cost_->climb_weight() * std::max(0.0, end_.low() - forward_[0].low);
+  backward_.back() = {.low = end_.low(), .high = end_.high(), .ascent = 0, .free = end_.low()};
+  note_backward(legs_.size());
+  note_total();
+}
+
+/// Spends more or less of the goal's ball on altitude.
+bool FlightPath::retilt(Stream& random) {
+  if (end_.tolerance_m <= 0) return false;
+  FlightPath before(*this);
+  end_.tilt_rad = kPi / 2 * random.uniform();
+  Leg last;
+  if (make_leg(poses_.back(), nullptr, last)) {
+    legs_.back() = std::move(last);
+    note_forward(legs_.size() - 1);
+    note_end();
+    if (total_ < before.total_ - kGain) return true;
+  }
+  *this = std::move(before);
+  return false;
+}
+
+Track FlightPath::track() const {
+  Track all;
+  for (const Leg& leg : legs_) all.insert(all.end(), leg.track.begin(), leg.track.end());
+  return all;
+}
+
+/// Anew from pose `from` on, until nothing changes.
+void FlightPath::note_forward(std::size_t from) {
+  for (std::size_t i = from; i < legs_.size(); ++i) {
+    AltitudeLabel label = forward_[i];
+    const double cost = cost_->advance(legs_[i].track, label);
+    const bool unchanged = same(label, forward_[i + 1]) && cost == legs_[i].cost;
+    forward_[i + 1] = label;
+    legs_[i].cost = cost;
+    if (unchanged) return;
+  }
+}
+
+void FlightPath::note_backward(std::size_t from) {
+  for (std::size_t i = from; i-- > 0;) {
+    BackwardLabel label = backward_[i + 1];
+    for (std::size_t k = legs_[i].track.size(); k-- > 0 && label.alive();)
+      cost_->band().advance(legs_[i].track[k], label);
+    if (same(label, backward_[i])) return;
+    backward_[i] = label;
+  }
+}
+
+bool FlightPath::make_leg(const PlanarPose& from, const PlanarPose* to, Leg& leg) const {
+  const double radius = cost_->band().radius_m();
+  leg = {};
+  if (to == nullptr) {
+    append(leg.track, shortest_dubins_to_point(from, end_.place(), radius));
+    cut_at_end(leg.track, end_);
+  } else {
+    append(leg.track, shortest_dubins(from, *to, radius));
+  }
+  for (const PlanarPiece& piece : leg.track)
+    if (piece.steering == Steering::straight && piece.length_m < kLeastStraight_m) return false;
+  return !leg.track.empty();
+}
+
+bool FlightPath::try_change(const Change& change) {
+  double rest = least_climb_;
+  for (std::size_t i = 0; i < legs_.size(); ++i)
+    if (i < change.from || i >= change.to) rest += legs_[i].cost;
+  const bool at_end = change.to == legs_.size();
+  std::vector<Leg> legs(change.between.size() + 1);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    const PlanarPose& from = k == 0 ? poses_[change.from] : change.between[k - 1];
+    const bool last = k + 1 == legs.size();
+    const PlanarPose* to = !last ? &change.between[k] : at_end ? nullptr : &poses_[change.to];
+    if (!make_leg(from, to, legs[k])) return false;
+    rest += cost_->length_weight() * length_of(legs[k].track);
+    if (rest >= total_) return false;
+  }
+  return take_if(change, std::move(legs), total_ - kGain);
+}
+
+/// Takes new legs if the whole way then costs less than `most`.
+bool FlightPath::take_if(const Change& change, std::vector<Leg> legs, double most) {
+  AltitudeLabel label = forward_[change.from];
+  double sum = 0;
+  for (std::size_t i = 0; i < legs_.size(); ++i)
+    if (i < change.from || i >= change.to) sum += legs_[i].cost;
+  for (Leg& leg : legs) {
+    leg.cost = cost_->advance(leg.track, label);
+    sum += leg.cost;
+    if (sum + least_climb_ >= most) return false;
+  }
+  const auto meeting = meet(label, backward_[change.to]);
+  if (!meeting || sum + cost_->climb_weight() * meeting->ascent >= most) return false;
+
+  const auto replace = [&](auto& list, std::size_t from, std::size_t to, const auto& by) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(from), list.begin() + static_cast<std::ptrdiff_t>(to));
+    list.insert(list.begin() + static_cast<std::ptrdiff_t>(from), by.begin(), by.end());
+  };
+  const std::size_t inner = change.between.size();
+  replace(poses_, change.from + 1, std::min(change.to, poses_.size()), change.between);
+  replace(legs_, change.from, change.to, legs);
+  replace(forward_, change.from + 1, change.to, std::vector<AltitudeLabel>(inner));
+  replace(backward_, change.from + 1, change.to, std::vector<BackwardLabel>(inner));
+  note_forward(change.from);
+  note_backward(change.from + legs.size());
+  note_total();
+  return true;
+}
+
+void FlightPath::note_total() {
+  const auto meeting = meet(forward_.back(), backward_.back());
+  total_ = meeting ? cost_->climb_weight() * meeting->ascent : kInfinity;
+  for (const Leg& leg : legs_) total_ += leg.cost;
+}
+
+void FlightPath::shorten(RunContext& run) {
+  for (std::size_t i = 0; i + 1 < legs_.size(); ++i)
+    for (std::size_t span = legs_.size() - i; span > 1 && run.keep_going(); span = span * 2 / 3)
+      if (try_change({.from = i, .to = i + span, .between = {}})) break;
+}
+
+/// A pose where two pieces of a leg meet, or within a straight one: it changes nothing, but gives the next changes a
+/// place to bend.
+void FlightPath::split(Stream& random) {
+  const std::size_t i = random.below(legs_.size());
+  const Track& track = legs_[i].track;
+  const std::size_t k = random.below(track.size());
+  std::vector<Track> halves(2);
+  halves[0].assign(track.begin(), track.begin() + static_cast<std::ptrdiff_t>(k));
+  halves[1].assign(track.begin() + static_cast<std::ptrdiff_t>(k), track.end());
+  if (track[k].steering == Steering::straight && track[k].length_m > 2 * kLeastStraight_m) {
+    const double at = kLeastStraight_m + random.uniform() * (track[k].length_m - 2 * kLeastStraight_m);
+    halves[0].push_back(track[k]);
+    halves[0].back().length_m = at;
+    halves[1].front().start = track[k].at(at);
+    halves[1].front().length_m -= at;
+  }
+  if (halves[0].empty()) return;
+  std::vector<Leg> legs(2);
+  for (std::size_t half = 0; half < 2; ++half) legs[half].track = std::move(halves[half]);
+  const Change change{.from = i, .to = i + 1, .between = {legs[1].track.front().start}};
+  constexpr double kRounding = 1e-6;
+  take_if(change, std::move(legs), total_ + kRounding);
+}
+
+/// Poses k to k + count - 1, moved by one offset of about `size`.
+std::vector<PlanarPose> FlightPath::moved_poses(std::size_t k, std::size_t count, double size, Stream& random) const {
+  const double direction = 2 * kPi * random.uniform();
+  const Vec2 offset = size * (0.5 + random.uniform()) * Vec2(std::cos(direction), std::sin(direction));
+  const bool along_chord = random.uniform() < 0.5;
+  std::vector<PlanarPose> moved;
+  for (std::size_t i = k; i < k + count; ++i) {
+    const Vec2 place = poses_[i].position() + offset;
+    double heading = poses_[i].heading;
+    if (along_chord) {
+      const Vec2 before = poses_[i - 1].position();
+      const Vec2 after = i + 1 < poses_.size() ? poses_[i + 1].position() : end_.place();
+      heading = std::atan2(after.y() - before.y(), after.x() - before.x());
+    }
+    heading += (random.uniform() - 0.5) * std::min(1.0, size / cost_->band().radius_m());
+    moved.push_back(planar_pose(place.x(), place.y(), heading));
+  }
+  return moved;
+}
+
+bool FlightPath::move_some(Stream& random) {
+  constexpr double kSmallest = 1.0 / 16;  // of the radius; each further size is twice that
+  double all = 0;
+  for (const double chance : size_chances_) all += chance;
+  double point = random.uniform() * all;
+  std::size_t size = 0;
+  while (size + 1 < size_chances_.size() && point >= size_chances_[size]) point -= size_chances_[size++];
+  const double size_m = cost_->band().radius_m() * kSmallest * std::exp2(static_cast<double>(size));
+  const std::size_t k = 1 + random.below(legs_.size() - 1);
+  const std::size_t most = std::min<std::size_t>(legs_.size() - k, 4);
+  const std::size_t count = random.uniform() < 0.6 ? 1 : 1 + random.below(most);
+  const bool kept = try_change({.from = k - 1, .to = k + count, .between = moved_poses(k, count, size_m, random)});
+  constexpr double kMemory = 0.98;
+  size_chances_[size] = kMemory * size_chances_[size] + (1 - kMemory) * (kept ? 1 : kLeastChance);
+  return kept;
+}
+
+int FlightPath::better(Stream& random, int trials, RunContext& run) {
+  constexpr std::size_t kMostLegs = 80;
+  constexpr int kPollEvery = 16;
+  int kept = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    if (trial % kPollEvery == 0 && !run.keep_going()) break;
+    const double kind = random.uniform();
+    const std::size_t legs = legs_.size();
+    if (kind < 0.02) {
+      kept += retilt(random) ? 1 : 0;
+    } else if (kind < 0.1 && legs < kMostLegs) {
+      split(random);
+    } else if (kind < 0.3 && legs > 1) {
+      const std::size_t i = random.below(legs - 1);
+      const std::size_t j = i + 2 + random.below(std::min<std::size_t>(legs - i - 1, 6));
+      kept += try_change({.from = i, .to = j, .between = {}}) ? 1 : 0;
+    } else if (legs > 1) {
+      kept += move_some(random) ? 1 : 0;
+    }
+  }
+  return kept;
+}
+
+}  // namespace alate

@@ -1,0 +1,90 @@
+// The first way over the ground: weighted A* over true Dubins pieces, each label an interval of altitudes.
+//
+// A node is a pose and an AltitudeLabel; a pass through a bin of place and heading is dropped where another one came
+// there cheaper with at least its altitudes. Guided by a cost-to-go that knows climbing (ClimbField).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "alate/core/run_context.hpp"
+#include "alate/world/problem.hpp"
+#include "space/flight/climb_field.hpp"
+#include "space/flight/flight_cost.hpp"
+
+namespace alate {
+
+/// Where the flight may end: in the goal's ball, of which `tilt_rad` tells how much is spent on altitude. From the side
+/// the flight ends on the upright chord of the ball that is seen at this angle above and below its middle.
+struct FlightEnd {
+  Vec3 goal;
+  double tolerance_m = 0;
+  double tilt_rad = kPi / 4;
+
+  Vec2 place() const { return goal.head<2>(); }
+  double radius_m() const { return tolerance_m * std::cos(tilt_rad); }
+  double low() const { return goal.z() - tolerance_m * std::sin(tilt_rad); }
+  double high() const { return goal.z() + tolerance_m * std::sin(tilt_rad); }
+};
+
+struct IntervalSearchOptions {
+  double epsilon = 2.5;  ///< How much the cost-to-go weighs.
+  double bin_m = 100;
+  std::uint64_t most_nodes = 1'000'000;
+};
+
+/// Keeps its arrays between searches. Not for two threads at once.
+class IntervalAStar {
+ public:
+  /// All must outlive this.
+  IntervalAStar(const FlightCost& cost, const ClimbField& to_go);
+
+  /// A track whose labels all live, to the end; nothing if none was found.
+  std::optional<Track> find(const std::vector<PlanarPose>& starts, double z, const FlightEnd& end,
+                            const IntervalSearchOptions& options, RunContext& run);
+
+  std::uint64_t expansions() const { return expansions_; }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  struct Node {
+    PlanarPiece piece;  ///< That led here.
+    PlanarPose pose;
+    AltitudeLabel label;
+    double cost = 0;  ///< Without ascent.
+    std::uint32_t parent = kNone;
+    std::uint32_t next_in_bin = kNone;
+  };
+  struct Open {
+    double key;
+    std::uint32_t node;
+    bool operator>(const Open& other) const { return key != other.key ? key > other.key : node > other.node; }
+  };
+
+  void expand(std::uint32_t from);
+  void add(Node node);
+  bool is_dominated(std::uint32_t& bin, const Node& node) const;
+  std::uint32_t& bin_of(const PlanarPose& pose);
+  double rest(const Node& node) const;
+  std::optional<Track> shot(std::uint32_t from, const FlightEnd& end) const;
+
+  const FlightCost& cost_;
+  const ClimbField& to_go_;
+  IntervalSearchOptions options_;
+  Box2 area_;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint32_t> bins_;
+  std::vector<Node> nodes_;
+  std::vector<std::pair<Steering, double>> primitives_;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  std::uint64_t expansions_ = 0;
+};
+
+/// Cuts a track that leads to the middle of an end where it comes near enough.
+void cut_at_end(Track& track, const FlightEnd& end);
+
+}  // namespace alate

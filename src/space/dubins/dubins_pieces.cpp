@@ -1,0 +1,37 @@
+#include "space/dubins/dubins_pieces.hpp"
+
+#include <cmath>
+
+namespace alate {
+
+Vec2 PlanarArc::at(double angle_rad) const {
+  return {center.x() + radius_m * std::cos(angle_rad), center.y() + radius_m * std::sin(angle_rad)};
+}
+
+PlanarArc PlanarPiece::arc() const {
+  const double side = static_cast<double>(steering);
+  return {.center = {start.x - side * radius_m * start.sin, start.y + side * radius_m * start.cos},
+          .radius_m = radius_m,
+          .start_rad = start.heading - side * kPi / 2,
+          .sweep_rad = side * length_m / radius_m};
+}
+
+std::array<PlanarPiece, 3> pieces_of(const DubinsPath& path) {
+  const std::array<Steering, 3> steering = steering_of(path.word);
+  std::array<PlanarPiece, 3> pieces;
+  PlanarPose start = path.start;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i] = {.steering = steering[i], .start = start, .length_m = path.lengths_m[i], .radius_m = path.radius_m};
+    start = pieces[i].end();
+  }
+  return pieces;
+}
+
+PlanarPose DubinsCursor::at(double s_m) const {
+  if (s_m < pieces_[0].length_m) return pieces_[0].at(s_m);
+  const double rest_m = s_m - pieces_[0].length_m;
+  if (rest_m < pieces_[1].length_m) return pieces_[1].at(rest_m);
+  return pieces_[2].at(rest_m - pieces_[1].length_m);
+}
+
+}  // namespace alate

@@ -1,0 +1,101 @@
+#include "space/flight/band_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alate {
+
+namespace {
+
+/// Spare height, for rounding and for bends of the profile that come too close to an end to be flown as legs.
+constexpr double kRounding_m = 0.005;
+
+double slope(const std::optional<double>& limit_rad) {
+  return limit_rad && *limit_rad < kPi / 2 ? std::tan(*limit_rad) * (1 - 1e-9)
+                                           : std::numeric_limits<double>::infinity();
+}
+
+/// The greatest slope of the ground anywhere.
+double steepness(const HeightRaster& raster) {
+  double most = 0;
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column) {
+      const auto here = double{raster.post(column, row)};
+      const double right = column + 1 < raster.columns ? double{raster.post(column + 1, row)} - here : 0;
+      const double down = row + 1 < raster.rows ? double{raster.post(column, row + 1)} - here : 0;
+      if (std::isfinite(right)) most = std::max(most, std::abs(right));
+      if (std::isfinite(down)) most = std::max(most, std::abs(down));
+    }
+  return std::numbers::sqrt2 * most;
+}
+
+}  // namespace
+
+BandWalk::BandWalk(const World& world)
+    : world_(world),
+      raster_(std::get_if<HeightRaster>(&world.site().ground)),
+      peaks_(std::get_if<PeakGround>(&world.site().ground)),
+      radius_m_(*world.site().vehicle.turn_radius_m),
+      slopes_{slope(world.site().vehicle.climb_rad), slope(world.site().vehicle.descent_rad)} {
+  const Site& site = world.site();
+  most_chord_m_ = 2 * radius_m_ * std::acos(std::max(-1.0, 1 - kSagitta_m / radius_m_));
+  if (peaks_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * peaks_->steepness();
+  // Posts may lie closer along one axis than the mean tells: twice as close is more than any raster on Earth has.
+  if (raster_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * 2 * steepness(*raster_) / raster_->cell_m;
+  clearance_m_ = site.band.clearance_m + kRounding_m;
+  if (peaks_ != nullptr) peak_slope_ = peaks_->steepness();
+  if (site.band.ceiling_agl_m && site.has_ground()) ceiling_agl_m_ = *site.band.ceiling_agl_m - kRounding_m;
+  if (site.band.ceiling_amsl_m) ceiling_amsl_m_ = *site.band.ceiling_amsl_m;
+  for (const Threat& threat : site.threats) {
+    if (threat.core_m <= 0) continue;
+    const bool sphere = threat.shape == Threat::Shape::sphere;
+    cores_.push_back({.center = threat.center.head<2>(),
+                      .reach_m = threat.core_m + 2 * kSagitta_m,
+                      .top_m = sphere ? threat.center.z() : threat.top_m + kRounding_m,
+                      .sphere = sphere});
+  }
+}
+
+bool BandWalk::is_near_core(const PlanarPiece& piece) const {
+  return std::ranges::any_of(cores_, [&](const Core& core) {
+    const double reach = core.reach_m + piece.length_m;
+    return (core.center - piece.start.position()).squaredNorm() < reach * reach;
+  });
+}
+
+BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  BandPiece band{.length_m = chord.length_m * (span.t_to - span.t_from),
+                 .floor_from = -kInfinity,
+                 .floor_to = -kInfinity,
+                 .ceiling_from = ceiling_amsl_m_,
+                 .ceiling_to = ceiling_amsl_m_};
+  if (raster_ != nullptr || peaks_ != nullptr) {
+    const double up = std::max(0.0, span.bulge) + chord.margin_m + clearance_m_;
+    const double both = peaks_ != nullptr ? std::max(0.0, span.bulge) : std::max(0.0, -span.bulge);
+    band.floor_from = span.from + up;
+    band.floor_to = span.to + up;
+    band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - chord.margin_m);
+    band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - chord.margin_m);
+  }
+  if (chord.near_core) close_cores(chord, span, band);
+  return band;
+}
+
+/// Over the piece a core is as high as where the piece comes closest to its middle.
+void BandWalk::close_cores(const Chord& chord, const GroundSpan& span, BandPiece& band) const {
+  const Vec2 way = chord.to - chord.from;
+  const Vec2 a = chord.from + span.t_from * way;
+  const Vec2 b = chord.from + span.t_to * way;
+  for (const Core& core : cores_) {
+    const double squared = (b - a).squaredNorm();
+    const double t = squared > 0 ? std::clamp((core.center - a).dot(b - a) / squared, 0.0, 1.0) : 0;
+    const double beyond = core.reach_m * core.reach_m - (a + t * (b - a) - core.center).squaredNorm();
+    if (beyond <= 0) continue;
+    const double top = core.top_m + (core.sphere ? std::sqrt(beyond) : 0);
+    band.floor_from = std::max(band.floor_from, top);
+    band.floor_to = std::max(band.floor_to, top);
+  }
+}
+
+}  // namespace alate

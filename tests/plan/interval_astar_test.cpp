@@ -1,0 +1,180 @@
+// What lives on a track is what the check lets fly; and the flagship on sites where the answer is known.
+#include <gtest/gtest.h>
+
+#include "alate/check/check.hpp"
+#include "alate/core/stream.hpp"
+#include "alate/data/scenario_file.hpp"
+#include "search/interval/flight_path.hpp"
+#include "search/interval/flight_profile.hpp"
+#include "space/objective.hpp"
+#include "support/fly.hpp"
+#include "support/hand_made_sites.hpp"
+#include "support/shared_data.hpp"
+
+namespace alate {
+namespace {
+
+Site jacksboro_site() { return load_site(load_scenario(ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml")); }
+
+struct Flown {
+  Track track;
+  AltitudeLabel label;
+};
+
+/// A track drawn piece by piece from a random place, as long as some altitude is left.
+Flown draw_track(const BandWalk& band, const PlanarPose& start, double z, Stream& random) {
+  Flown flown{.track = {}, .label = AltitudeLabel::at(z)};
+  PlanarPose at = start;
+  for (int k = 0; k < 30; ++k) {
+    const auto steering = static_cast<Steering>(static_cast<int>(random.below(3)) - 1);
+    const double most = steering == Steering::straight ? 600 : 1.5 * band.radius_m();
+    const PlanarPiece piece{steering, at, 1 + most * random.uniform(), band.radius_m()};
+    AltitudeLabel label = flown.label;
+    if (!band.advance(piece, label)) continue;
+    flown.label = label;
+    flown.track.push_back(piece);
+    at = piece.end();
+  }
+  return flown;
+}
+
+/// Random tracks over a site, each flown at an altitude that its label allows. Returns how many were.
+int expect_lives_as_checked(Site site, std::uint64_t seed) {
+  const World world(site);
+  const BandWalk band(world);
+  Stream random(seed, 0, 0);
+  const Vec2 from = site.mission.start.head<2>();
+  const Vec2 way = (site.mission.goal - site.mission.start).head<2>();
+  int flown = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Vec2 place = from + random.uniform() * way;
+    const auto ground = world.height(place);
+    const double z = ground.value_or(0) + site.band.clearance_m + 60 * random.uniform();
+    const PlanarPose start = planar_pose(place.x(), place.y(), 2 * kPi * random.uniform());
+    const auto [track, label] = draw_track(band, start, z, random);
+    if (track.size() < 3) continue;
+    const PlanarPose end = track.back().end();
+    const double z_end = label.low + random.uniform() * (label.high - label.low);
+    site.mission = {.start = {place.x(), place.y(), z},
+                    .heading_rad = kPi / 2 - start.heading,
+                    .heading_given = true,
+                    .goal = {end.x, end.y, z_end},
+                    .tolerance_m = 0.001};
+    const auto route = fly_track(band, track, site.mission.start, {.goal = site.mission.goal, .tolerance_m = 0});
+    EXPECT_TRUE(route) << trial;
+    if (!route) continue;
+    ++flown;
+    const Verdict verdict = check(site, *route);
+    for (const Violation& broken : verdict.violations)
+      ADD_FAILURE() << trial << ": " << broken.rule << " on leg " << broken.leg << ", " << broken.value << " of "
+                    << broken.limit;
+  }
+  return flown;
+}
+
+TEST(IntervalFlight, KeepsWhatTheCheckAsksOverMountains) {
+  EXPECT_GT(expect_lives_as_checked(jacksboro_site(), 1), 20);
+}
+TEST(IntervalFlight, KeepsWhatTheCheckAsksAtAWall) { EXPECT_GT(expect_lives_as_checked(test::ridge_site(), 2), 20); }
+TEST(IntervalFlight, KeepsWhatTheCheckAsksInOpenAir) {
+  EXPECT_GT(expect_lives_as_checked(test::open_air_site(), 3), 20);
+}
+
+TEST(IntervalFlight, KeepsWhatTheCheckAsksOverHills) {
+  Site site = test::ridge_site();
+  PeakGround hills{.peaks = {}, .maximum = false, .area = {.min = {0, 0}, .max = {10000, 8000}}};
+  for (int i = 0; i < 6; ++i)
+    hills.peaks.push_back(
+        {.center = {1500.0 * i + 500, 2200.0 + 300 * (i % 3)}, .height_m = 250, .slope_m = {700, 500}});
+  site.ground = hills;
+  EXPECT_GT(expect_lives_as_checked(site, 4), 20);
+}
+
+/// The sum that changes are judged by is that of the whole way worked out anew.
+TEST(FlightPath, KnowsItsCostAfterManyChanges) {
+  const World world(jacksboro_site());
+  const BandWalk band(world);
+  const FlightCost cost(band);
+  Executor executor;
+  RunContext run(executor, {});
+  const ClimbField to_go(world, band.slopes(), run);
+  IntervalAStar search(cost, to_go);
+  const Mission& mission = world.site().mission;
+  const FlightEnd end{.goal = mission.goal, .tolerance_m = mission.tolerance_m - 1e-3};
+  const PlanarPose start = planar_pose(mission.start.x(), mission.start.y(), kPi / 2 - mission.heading_rad);
+  const auto track = search.find({start}, mission.start.z(), end, {.epsilon = 1.5, .bin_m = 100}, run);
+  ASSERT_TRUE(track);
+  FlightPath path(cost, end, *track, mission.start.z());
+  Stream random(1, 0, 0);
+  double before = path.cost();
+  for (int round = 0; round < 20; ++round) {
+    path.better(random, 50, run);
+    EXPECT_LE(path.cost(), before + 1e-4);
+    before = path.cost();
+    const FlightPath anew(cost, path.end(), path.track(), mission.start.z());
+    EXPECT_NEAR(path.cost(), anew.cost(), 1e-6 * path.cost());
+    const auto route = fly_track(band, path.track(), mission.start, path.end());
+    ASSERT_TRUE(route);
+    EXPECT_TRUE(check(world.site(), *route).ok());
+    // Slopes of up to 10 degrees make a flight longer than its track by up to 1.5 %.
+    const double flown = Objective(world).route_cost(*route);
+    EXPECT_GT(flown, path.cost() * 0.999);
+    EXPECT_LT(flown, path.cost() * 1.016);
+  }
+}
+
+TEST(IntervalAStar, RoundsAWallThroughItsGap) {
+  const World world(test::ridge_site());
+  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 20});
+  ASSERT_EQ(plan.outcome, Outcome::feasible);
+  // Over the gap's middle at the least: 4 km east and 4 km north, twice.
+  EXPECT_GT(plan.cost, 2 * std::hypot(3900, 3900));
+  EXPECT_LT(plan.cost, 2 * std::hypot(4000, 4000) * 1.05);
+}
+
+TEST(IntervalAStar, FindsNoWayThroughAWallWithoutAGap) {
+  const World world(test::ridge_site(false));
+  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 10});
+  EXPECT_EQ(plan.outcome, Outcome::none_found);
+  EXPECT_FALSE(plan.why.empty());
+}
+
+struct AlpineWorld {
+  std::string scenario;
+  std::string dem;
+};
+
+class AlpineWorlds : public testing::TestWithParam<AlpineWorld> {};
+
+/// Steep ground, 60 to 400 m or 50 to 120 m above it.
+TEST_P(AlpineWorlds, AreFlown) {
+  ALATE_NEEDS_SHARED_DATA("terrain/swiss/" + GetParam().dem);
+  const std::string dem = test::shared_data("terrain/swiss/" + GetParam().dem);
+  const std::string file = ALATE_SOURCE_DIR "/examples/worlds/" + GetParam().scenario + ".yaml";
+  const World world(load_site(load_scenario(file, {"terrain.dem=" + dem})));
+  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 4});
+  ASSERT_EQ(plan.outcome, Outcome::feasible) << plan.why;
+  EXPECT_TRUE(check(world.site(), plan.route).ok());
+  EXPECT_GE(plan.cost, plan.lower_bound);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AlpineWorlds,
+                         testing::Values(AlpineWorld{"davos-wide", "davosdorf.tif"},
+                                         AlpineWorld{"davos-narrow", "davosdorf.tif"},
+                                         AlpineWorld{"sertig-wide", "sertig_valley.tif"},
+                                         AlpineWorld{"sertig-narrow", "sertig_valley.tif"}));
+
+/// Without a heading at the start, it begins as suits it best.
+TEST(IntervalAStar, ChoosesAHeadingWhereNoneIsGiven) {
+  Site site = test::open_air_site();
+  site.threats.clear();
+  site.mission.heading_given = false;
+  site.mission.tolerance_m = 1;
+  const World world(site);
+  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 5});
+  ASSERT_EQ(plan.outcome, Outcome::feasible);
+  EXPECT_LT(plan.cost, 1.001 * plan.lower_bound);
+}
+
+}  // namespace
+}  // namespace alate
