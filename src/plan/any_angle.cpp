@@ -50,6 +50,7 @@ PlannerEntry theta_star_entry() {
            "(Nash, Koenig and Tovey 2010): short, never longer than from cell to cell, but not proven the shortest.",
        .preset = {.name = "default", .help = "Anya over a grid, Lazy Theta* among voxels.", .values = {}},
        .fits = ""});
+  entry.can.space = "height grid at any angle";  // what it proves is no optimum from cell to cell
   return with_voxels(std::move(entry), [] { return Planner(CellExact<VoxelTheta, VoxelLines>()); });
 }
 

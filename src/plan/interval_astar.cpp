@@ -72,7 +72,7 @@ class IntervalRun {
     const double distance = (problem_.mission.goal - problem_.mission.start).norm();
     const double bin = std::clamp(distance / 250, band_.radius_m() / 2, 4 * band_.radius_m());
     const double z = problem_.mission.start.z();
-    const auto track = search_.find(starts(), z, end_, {.epsilon = pass.epsilon, .bin_m = bin * pass.bin}, run_);
+    const auto track = search_.find({starts(), z}, end_, {.epsilon = pass.epsilon, .bin_m = bin * pass.bin}, run_);
     plan.counters["expansions"] += search_.expansions();
     if (!track) return;
     paths_.emplace_back(cost_, end_, *track, z);
@@ -109,7 +109,7 @@ class IntervalRun {
 };
 
 struct IntervalPlanner {
-  Plan plan(const Problem& problem, RunContext& run) const {
+  static Plan plan(const Problem& problem, RunContext& run) {
     const Mission& mission = problem.mission;
     Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
     if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
@@ -131,7 +131,7 @@ struct IntervalPlanner {
 
 std::string refusal(const Problem& problem) {
   const Site& site = problem.world.site();
-  if (site.grid) return "flies through the air, not from cell to cell; take jps, or leave out grid";
+  if (site.grid || site.voxels) return "flies through the air, not from cell to cell; take jps, or leave out grid";
   if (site.navigation) return "knows nothing of navigation errors; take label-setting, or leave out navigation";
   if (!problem.vehicle.turn_radius_m || *problem.vehicle.turn_radius_m <= 0)
     return "flies circles; add vehicle.turn_radius_m";

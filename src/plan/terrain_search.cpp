@@ -45,7 +45,7 @@ LatticeWay best_angle(const Problem& problem, const TerrainLattice& lattice, Run
   if (!way.finished) return way;
   LatticeWay any = lattice_theta(problem.world, lattice, run);
   way.expansions += any.expansions;
-  if (any.best && !(way.best && way.best->score <= any.best->score)) way.best = std::move(any.best);
+  if (any.best && (!way.best || any.best->score < way.best->score)) way.best = std::move(any.best);
   return way;
 }
 
@@ -90,7 +90,7 @@ PlannerEntry entry(std::string_view name, std::string_view help, bool with_fitne
   return {.name = std::string(name),
           .help = std::string(help),
           .can = {.deterministic = true, .terrain = true, .threats = true, .space = "terrain lattice"},
-          .presets = {{.name = "default", .help = "As published."}},
+          .presets = {{.name = "default", .help = "As the parameters say."}},
           .parameters = ParamTable(search_parameters(with_fitness)),
           .refuses = terrain_refusal,
           .make = [search](const ParamValues& values) { return Planner(TerrainPlanner(values, search)); }};

@@ -36,6 +36,7 @@ void add_abilities(const Abilities& more, Abilities& all) {
   all.deterministic = all.deterministic && more.deterministic;
   all.terrain = all.terrain || more.terrain;
   all.threats = all.threats || more.threats;
+  all.voxels = all.voxels || more.voxels;
   all.space += ", " + more.space;
 }
 

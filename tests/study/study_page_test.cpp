@@ -5,6 +5,7 @@
 
 #include "alate/study/study.hpp"
 #include "out/xml_balance.hpp"
+#include "study/matrix/analysis.hpp"
 #include "support/process.hpp"
 
 namespace alate {
@@ -108,6 +109,19 @@ TEST(StudySummary, TellsTheMedianAboveTheBestKnown) {
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   EXPECT_EQ(text.find("| beam default | +", text.find("### Air")) != std::string::npos, true);
   EXPECT_EQ(text.find("| grid-aco improved |", text.find("### Air")), std::string::npos) << "it refused this group";
+}
+
+/// What is proven at any angle is no optimum from cell to cell, whichever planner the study names first.
+TEST(StudySummary, MeasuresFromCellToCellWhereBothAreProven) {
+  const Ran ran =
+      run("scenarios: [{grid: {random: {size: [30, 30], obstacles: 0.2, seed: 5..6}}}]\n"
+          "planners: [{name: theta-star}, {name: astar}, {name: jps}]\n");
+  const std::string text = summary_markdown(ran.study, ran.records);
+  for (const char* part : {"| theta-star default | -", "| astar default | +0.00", "| jps default | +0.00"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  EXPECT_NE(rows_csv(ran.study, ran.records).find(",astar,default,1,default,optimal,"), std::string::npos);
+  for (const MethodFigures& method : analyse(ran.study, ran.records).methods)
+    for (const double gap : method.gaps) EXPECT_NEAR(gap, 0, 1e-3) << method.name << " against its own optimum";
 }
 
 TEST(StudySummary, LeavesOutMapsWithoutAWay) {

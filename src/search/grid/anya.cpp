@@ -31,8 +31,10 @@ void Anya::trace(AnyAngleWay& way) const {
   way.found = true;
   way.length = best_;
   way.points.push_back(goal_);
-  for (Corner corner = last_.corner; corner != kStart; corner = labels_.parent(corner))
-    way.points.push_back({static_cast<double>(corner % stride), static_cast<double>(corner / stride)});
+  for (Corner corner = last_.corner; corner != kStart; corner = labels_.parent(corner)) {
+    const Corner row = corner / stride;
+    way.points.push_back({static_cast<double>(corner % stride), static_cast<double>(row)});
+  }
   if (start_ != goal_) way.points.push_back(start_);
   std::ranges::reverse(way.points);
 }

@@ -8,7 +8,7 @@ namespace alate {
 void Anya::look_for_goal(const Cone& cone, Rays rays) {
   const double rows = cone.depth() + 0.5;
   const double across = goal_.x - cone.root.at.x;
-  if (!(across >= rays.left * rows && across <= rays.right * rows)) return;
+  if (across < rays.left * rows || across > rays.right * rows) return;
   const double length = cone.root.length + distance(cone.root.at, goal_);
   if (length >= best_) return;
   best_ = length;

@@ -55,7 +55,8 @@ struct Cone {
   double meets(double ray, double at_depth) const {
     constexpr double kRounding = 1e-6;
     const double x = root.at.x + ray * at_depth;
-    const auto corner = static_cast<double>(static_cast<int>(x + 0.5));
+    // Never below 0, and quicker than lround.
+    const auto corner = static_cast<double>(static_cast<int>(x + 0.5));  // NOLINT(bugprone-incorrect-roundings)
     return std::abs(x - corner) < kRounding ? corner : x;
   }
   /// No way through the cone is shorter: straight to the goal, or past the ray next to it. A goal on the root's side of

@@ -37,8 +37,8 @@ bool is_corner(const GridPoint& point) { return point.x == std::floor(point.x) &
 /// A leg by its longer axis.
 class Leg {
  public:
-  Leg(const GridPoint& from, const GridPoint& to) : from_(from), to_(to) {
-    steep_ = std::abs(to.y - from.y) > std::abs(to.x - from.x);
+  Leg(const GridPoint& from, const GridPoint& to)
+      : from_(from), to_(to), steep_(std::abs(to.y - from.y) > std::abs(to.x - from.x)) {
     if (steep_) {
       std::swap(from_.x, from_.y);
       std::swap(to_.x, to_.y);
@@ -52,7 +52,7 @@ class Leg {
     const double first = step > 0 ? std::floor(from_.x) + 1 : std::ceil(from_.x) - 1;
     for (auto x = static_cast<int>(first); step > 0 ? x < to_.x : x > to_.x; x += step) {
       const double y = from_.y + (x - from_.x) * slope;
-      const auto corner = static_cast<int>(y + 0.5);
+      const auto corner = static_cast<int>(std::lround(y));
       if (std::abs(y - corner) > reach) continue;
       const Touch touch = steep_ ? touch_at(grid, corner, x) : touch_at(grid, x, corner);
       if (touch.right != 0 || touch.down != 0) touches.push_back(touch);

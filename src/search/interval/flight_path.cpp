@@ -20,8 +20,8 @@ bool same(const BackwardLabel& a, const BackwardLabel& b) {
 
 }  // namespace
 
-FlightPath::FlightPath(const FlightCost& cost, const FlightEnd& end, const Track& track, double z)
-    : cost_(&cost), end_(end) {
+FlightPath::FlightPath(const FlightCost& cost, FlightEnd end, const Track& track, double z)
+    : cost_(&cost), end_(std::move(end)) {
   for (const PlanarPiece& piece : track) {
     poses_.push_back(piece.start);
     legs_.push_back({.track = {piece}, .cost = 0});

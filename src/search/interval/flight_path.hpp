@@ -14,7 +14,7 @@ namespace alate {
 class FlightPath {
  public:
   /// A track from `find`. `cost` must outlive this.
-  FlightPath(const FlightCost& cost, const FlightEnd& end, const Track& track, double z);
+  FlightPath(const FlightCost& cost, FlightEnd end, const Track& track, double z);
 
   /// Cost as far as it is known before the altitudes are chosen.
   double cost() const { return total_; }

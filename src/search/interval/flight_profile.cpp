@@ -35,7 +35,7 @@ RouteState state_on(const PlanarPiece& piece, double at_m, double z, double flow
   RouteState state{.position = {pose.x, pose.y, z}, .leg = LegKind::straight};
   if (piece.steering == Steering::straight) return state;
   const PlanarArc arc = piece.arc();
-  const double side = static_cast<double>(piece.steering);
+  const auto side = static_cast<double>(piece.steering);
   state.leg = LegKind::arc;
   state.arc =
       Arc{.center = arc.center, .radius_m = arc.radius_m, .angle_rad = -side * flown_m / arc.radius_m, .plane = {}};

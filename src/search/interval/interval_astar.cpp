@@ -105,40 +105,49 @@ std::optional<Track> IntervalAStar::shot(std::uint32_t from, const FlightEnd& en
   return track;
 }
 
-std::optional<Track> IntervalAStar::find(const std::vector<PlanarPose>& starts, double z, const FlightEnd& end,
-                                         const IntervalSearchOptions& options, RunContext& run) {
-  options_ = options;
-  const double radius = cost_.band().radius_m();
-  columns_ = static_cast<int>((area_.max.x() - area_.min.x()) / options.bin_m) + 1;
-  rows_ = static_cast<int>((area_.max.y() - area_.min.y()) / options.bin_m) + 1;
+void IntervalAStar::begin(const FlightStart& start) {
+  columns_ = static_cast<int>((area_.max.x() - area_.min.x()) / options_.bin_m) + 1;
+  rows_ = static_cast<int>((area_.max.y() - area_.min.y()) / options_.bin_m) + 1;
   bins_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kHeadings, kNone);
   nodes_.clear();
   open_ = {};
   expansions_ = 0;
   using enum Steering;
-  const double arc = radius * kPi / 8;
+  const double arc = cost_.band().radius_m() * kPi / 8;
   primitives_ = {{left, arc},
                  {right, arc},
                  {left, 2 * arc},
                  {right, 2 * arc},
-                 {straight, options.bin_m},
-                 {straight, 3 * options.bin_m}};
-  for (const PlanarPose& start : starts) add({.pose = start, .label = AltitudeLabel::at(z)});
+                 {straight, options_.bin_m},
+                 {straight, 3 * options_.bin_m}};
+  for (const PlanarPose& pose : start.poses) add({.pose = pose, .label = AltitudeLabel::at(start.z)});
+}
+
+Track IntervalAStar::track_to(std::uint32_t node) const {
+  Track track;
+  for (; nodes_[node].parent != kNone; node = nodes_[node].parent) track.push_back(nodes_[node].piece);
+  std::ranges::reverse(track);
+  return track;
+}
+
+std::optional<Track> IntervalAStar::find(const FlightStart& start, const FlightEnd& end,
+                                         const IntervalSearchOptions& options, RunContext& run) {
+  options_ = options;
+  begin(start);
   std::uint64_t until_shot = 0;
   while (!open_.empty() && nodes_.size() < options.most_nodes) {
     const std::uint32_t at = open_.top().node;
     open_.pop();
     if (++expansions_ % kPollEvery == 0 && !run.keep_going()) break;
     if (until_shot-- == 0) {
-      if (auto track = shot(at, end)) {
-        Track whole;
-        for (std::uint32_t i = at; nodes_[i].parent != kNone; i = nodes_[i].parent) whole.push_back(nodes_[i].piece);
-        std::ranges::reverse(whole);
-        whole.insert(whole.end(), track->begin(), track->end());
+      if (const auto last = shot(at, end)) {
+        Track whole = track_to(at);
+        whole.insert(whole.end(), last->begin(), last->end());
         return whole;
       }
+      // The farther the goal, the rarer.
       const double distance = (end.place() - nodes_[at].pose.position()).norm();
-      until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * radius), 0.0, 31.0));
+      until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * cost_.band().radius_m()), 0.0, 31.0));
     }
     expand(at);
   }

@@ -30,6 +30,12 @@ struct FlightEnd {
   double high() const { return goal.z() + tolerance_m * std::sin(tilt_rad); }
 };
 
+/// Where it begins: at one altitude, and one of these poses.
+struct FlightStart {
+  std::vector<PlanarPose> poses;
+  double z = 0;
+};
+
 struct IntervalSearchOptions {
   double epsilon = 2.5;  ///< How much the cost-to-go weighs.
   double bin_m = 100;
@@ -43,8 +49,8 @@ class IntervalAStar {
   IntervalAStar(const FlightCost& cost, const ClimbField& to_go);
 
   /// A track whose labels all live, to the end; nothing if none was found.
-  std::optional<Track> find(const std::vector<PlanarPose>& starts, double z, const FlightEnd& end,
-                            const IntervalSearchOptions& options, RunContext& run);
+  std::optional<Track> find(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options,
+                            RunContext& run);
 
   std::uint64_t expansions() const { return expansions_; }
 
@@ -64,6 +70,8 @@ class IntervalAStar {
     bool operator>(const Open& other) const { return key != other.key ? key > other.key : node > other.node; }
   };
 
+  void begin(const FlightStart& start);
+  Track track_to(std::uint32_t node) const;
   void expand(std::uint32_t from);
   void add(Node node);
   bool is_dominated(std::uint32_t& bin, const Node& node) const;

@@ -9,7 +9,7 @@ Vec2 PlanarArc::at(double angle_rad) const {
 }
 
 PlanarArc PlanarPiece::arc() const {
-  const double side = static_cast<double>(steering);
+  const auto side = static_cast<double>(steering);
   return {.center = {start.x - side * radius_m * start.sin, start.y + side * radius_m * start.cos},
           .radius_m = radius_m,
           .start_rad = start.heading - side * kPi / 2,

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -42,6 +43,9 @@ std::string budget_text(const StudyBudget& budget) {
   if (budget.time_s && !budget.iterations) return time_text(*budget.time_s);
   return budget.text();
 }
+
+/// Never "-0.00".
+std::string signed_text(double percent) { return fmt::format("{:+.2f}", std::abs(percent) < 0.005 ? 0 : percent); }
 
 /// Safe between the bars of a table, and never a tag.
 std::string markdown(const std::string& text) {
@@ -136,7 +140,7 @@ class Summary {
   static std::string gap_text(const Cell& cell) {
     if (cell.gaps.empty()) return "";
     const double middle = median(cell.gaps);
-    const std::string gap = middle < kNever ? fmt::format("{:+.2f}", middle) : "–";
+    const std::string gap = middle < kNever ? signed_text(middle) : "–";
     if (cell.valid == cell.gaps.size()) return gap;
     const double share = 100 * static_cast<double>(cell.valid) / static_cast<double>(cell.gaps.size());
     return fmt::format("{} ({:.0f} % valid)", gap, share);
