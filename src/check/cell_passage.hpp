@@ -51,7 +51,7 @@ struct SpaceCells {
 /// space an edge of four. A flight of no length may lie on a corner. Cells may be outside the map.
 template <int axes>
 struct Stretch {
-  std::array<CellAt<axes>, std::size_t{1} << axes> held;
+  std::array<CellAt<axes>, std::size_t{1} << axes> held{};
   std::size_t count = 0;
   CellPlace<axes> begin = CellPlace<axes>::Zero();
   CellPlace<axes> middle = CellPlace<axes>::Zero();

@@ -26,10 +26,10 @@ struct CellToCell : GridLegs {
 };
 
 template <class Search, class InSpace>
-PlannerEntry exact_entry(std::string name, std::string help) {
+PlannerEntry exact_entry(std::string_view name, std::string_view help) {
   PlannerEntry entry = grid_exact_entry<Search, CellToCell>(
-      {.name = std::move(name),
-       .help = std::move(help),
+      {.name = std::string(name),
+       .help = std::string(help),
        .preset = {.name = "default", .help = "It has no parameters.", .values = {}},
        .fits = "on a grid where only length counts, exact search is quick and proves its route the shortest from cell "
                "to cell"});

@@ -62,7 +62,7 @@ class VoxelMoves {
   std::array<Set, kVoxelDirections> candidates_{};
   std::array<Set, kVoxelDirections> natural_{};
   std::vector<Set> ways_;  ///< Cells that must be free for another way to be.
-  std::array<std::array<std::uint32_t, 2>, kVoxelDirections * kVoxelDirections> ways_round_{};
+  std::array<std::array<std::uint32_t, 2>, std::size_t{kVoxelDirections} * kVoxelDirections> ways_round_{};
 };
 
 }  // namespace alate

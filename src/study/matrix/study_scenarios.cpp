@@ -86,7 +86,8 @@ class ScenarioList {
                              .message = "has a range that runs backwards, or the study has too many scenarios"});
     }
     for (const Expanded& each : expand(item)) {
-      const std::string name = field.substr(field.rfind('.') + 1) + (each.chosen.empty() ? "" : " " + each.chosen);
+      std::string name = field.substr(field.rfind('.') + 1);
+      if (!each.chosen.empty()) name.append(" ").append(each.chosen);
       const std::string& group = items_.groups[group_];
       if (!read_one(each.node, group.empty() ? "scenario " + name : group + ": " + name, field))
         return;  // The others would fail in the same way.

@@ -140,7 +140,7 @@ class Summary {
   static std::string gap_text(const Cell& cell) {
     if (cell.gaps.empty()) return "";
     const double middle = median(cell.gaps);
-    const std::string gap = middle < kNever ? signed_text(middle) : "–";
+    std::string gap = middle < kNever ? signed_text(middle) : "–";
     if (cell.valid == cell.gaps.size()) return gap;
     const double share = 100 * static_cast<double>(cell.valid) / static_cast<double>(cell.gaps.size());
     return fmt::format("{} ({:.0f} % valid)", gap, share);
