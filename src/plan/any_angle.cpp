@@ -3,10 +3,8 @@
 
 #include "plan/grid_exact.hpp"
 #include "plan/grid_planners.hpp"
-#include "plan/voxel_plan.hpp"
 #include "search/grid/anya.hpp"
 #include "search/grid/keep_clear.hpp"
-#include "search/voxel/voxel_theta.hpp"
 
 namespace alate {
 
@@ -46,12 +44,11 @@ PlannerEntry theta_star_entry() {
        .help =
            "The shortest way at any angle over a grid, proven: it turns at corners of blocked cells, by a hair, and "
            "no way from cell to cell is shorter. In the place of Theta* (Nash et al. 2007), whose ways are short "
-           "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016). Among voxels Lazy Theta* "
-           "(Nash, Koenig and Tovey 2010): short, never longer than from cell to cell, but not proven the shortest.",
-       .preset = {.name = "default", .help = "Anya over a grid, Lazy Theta* among voxels.", .values = {}},
+           "but not the shortest, stands Anya (Harabor, Grastien, Oez and Aksakalli 2016).",
+       .preset = {.name = "default", .help = "Anya over a grid, Lazy Theta* elsewhere.", .values = {}},
        .fits = ""});
   entry.can.space = "height grid at any angle";  // what it proves is no optimum from cell to cell
-  return with_voxels(std::move(entry), [] { return Planner(CellExact<VoxelTheta, VoxelLines>()); });
+  return entry;
 }
 
 }  // namespace alate

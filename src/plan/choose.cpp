@@ -30,10 +30,10 @@ struct Choice {
   std::string why;
 };
 
-std::string reason_for(const PlannerEntry& entry) {
+std::string reason_for(const PlannerEntry& entry, const Site& site) {
   if (!entry.fits.empty()) return fmt::format("no planner was named; {}, so {} is taken", entry.fits, entry.name);
   return fmt::format("no planner was named; {}, on the {}, is the first that can serve this scenario", entry.name,
-                     entry.can.space);
+                     entry.can_on(site).space);
 }
 
 /// The first planner of the registry that serves the problem.
@@ -41,7 +41,7 @@ Choice choose_automatically(const Registry& registry, const Problem& problem) {
   std::vector<Fault> faults;
   for (const PlannerEntry& entry : registry.entries()) {
     std::string refusal = entry.refuses(problem);
-    if (refusal.empty()) return {&entry, "auto", reason_for(entry)};
+    if (refusal.empty()) return {&entry, "auto", reason_for(entry, problem.world.site())};
     Fault fault = scenario_fault(problem.world.site().scenario, "vehicle");
     fault.message = fmt::format("{} cannot plan this: it {}", entry.name, refusal);
     faults.push_back(std::move(fault));

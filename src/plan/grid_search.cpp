@@ -2,11 +2,8 @@
 #include "plan/grid_exact.hpp"
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
-#include "plan/voxel_plan.hpp"
 #include "search/grid/astar.hpp"
 #include "search/grid/jps.hpp"
-#include "search/voxel/voxel_astar.hpp"
-#include "search/voxel/voxel_jps.hpp"
 
 namespace alate {
 
@@ -25,37 +22,35 @@ struct CellToCell : GridLegs {
   static double proven_cost(const Problem& /*problem*/, const GridWay& /*way*/, double cost) { return cost; }
 };
 
-template <class Search, class InSpace>
+template <class Search>
 PlannerEntry exact_entry(std::string_view name, std::string_view help) {
-  PlannerEntry entry = grid_exact_entry<Search, CellToCell>(
+  return grid_exact_entry<Search, CellToCell>(
       {.name = std::string(name),
        .help = std::string(help),
        .preset = {.name = "default", .help = "It has no parameters.", .values = {}},
        .fits = "on a grid where only length counts, exact search is quick and proves its route the shortest from cell "
                "to cell"});
-  return with_voxels(std::move(entry), [] { return Planner(CellExact<InSpace, VoxelToVoxel>()); });
 }
 
 }  // namespace
 
 PlannerEntry jps_entry() {
-  PlannerEntry entry = exact_entry<JumpPointSearch, VoxelJps>(
+  PlannerEntry entry = exact_entry<JumpPointSearch>(
       "jps",
-      "Jump point search: the shortest way from cell to cell of a grid or of voxels, proven, and the quickest to find "
-      "it (Harabor and Grastien 2011, 2014; Nobes, Harabor, Wybrow and Walsh 2022).");
-  entry.refuses = [refuses = entry.refuses](const Problem& problem) -> std::string {
+      "Jump point search: the shortest way from cell to cell of a grid, proven, and the quickest to find it (Harabor "
+      "and Grastien 2011, 2014).");
+  entry.refuses = [](const Problem& problem) -> std::string {
     if (is_over_terrain(problem.world.site()))
       return "jumps over cells that all cost the same, and over terrain each leg has a cost of its own; take astar or "
              "theta-star";
-    return refuses(problem);
+    return grid_refusal(problem);
   };
   return entry;
 }
 
 PlannerEntry astar_entry() {
-  return exact_entry<GridAStar, VoxelAStar>(
-      "astar",
-      "A*: the shortest way from cell to cell of a grid or of voxels, proven (Hart, Nilsson and Raphael 1968).");
+  return exact_entry<GridAStar>(
+      "astar", "A*: the shortest way from cell to cell of a grid, proven (Hart, Nilsson and Raphael 1968).");
 }
 
 }  // namespace alate

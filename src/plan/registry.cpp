@@ -9,6 +9,7 @@
 #include "plan/grid_planners.hpp"
 #include "plan/terrain_planners.hpp"
 #include "plan/under_one_name.hpp"
+#include "plan/voxel_planners.hpp"
 
 namespace alate {
 
@@ -44,11 +45,11 @@ const Registry& builtin_planners() {
     registry.add(correction_ga_entry());
     registry.add(correction_aco_entry());
     registry.add(terrain_aco_entry());
-    registry.add(jps_entry());
-    registry.add(
-        under_one_name({{.is_for = is_over_terrain, .entry = terrain_astar_entry()}, {.entry = astar_entry()}}));
-    registry.add(under_one_name(
-        {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()}, {.entry = theta_star_entry()}}));
+    registry.add(under_one_name(jps_entry(), {{.is_for = is_among_voxels, .entry = voxel_jps_entry()}}));
+    registry.add(under_one_name(astar_entry(), {{.is_for = is_over_terrain, .entry = terrain_astar_entry()},
+                                                {.is_for = is_among_voxels, .entry = voxel_astar_entry()}}));
+    registry.add(under_one_name(theta_star_entry(), {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()},
+                                                     {.is_for = is_among_voxels, .entry = voxel_theta_star_entry()}}));
     registry.add(grid_aco_entry());
     registry.add(interval_astar_entry());
     return registry;

@@ -2,31 +2,41 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
+#include <memory>
 
 namespace alate {
 
 namespace {
 
-const SpacePart& part_for(const std::vector<SpacePart>& parts, const Site& site) {
-  const auto last = std::prev(parts.end());
-  return *std::find_if(parts.begin(), last, [&](const SpacePart& part) { return part.is_for(site); });
-}
+/// In the order in which they are asked.
+struct Entries {
+  PlannerEntry main;
+  std::vector<SpacePart> others;
+
+  /// Of all planners, main being the last.
+  std::size_t index_for(const Site& site) const {
+    const auto found = std::ranges::find_if(others, [&](const SpacePart& part) { return part.is_for(site); });
+    return static_cast<std::size_t>(found - others.begin());
+  }
+  const PlannerEntry& entry_for(const Site& site) const {
+    const std::size_t index = index_for(site);
+    return index < others.size() ? others[index].entry : main;
+  }
+};
 
 class OnAnySpace {
  public:
-  OnAnySpace(std::shared_ptr<const std::vector<SpacePart>> parts, const ParamValues& values)
-      : parts_(std::move(parts)) {
-    for (const SpacePart& part : *parts_) planners_.push_back(part.entry.make(values));
+  OnAnySpace(std::shared_ptr<const Entries> entries, const ParamValues& values) : entries_(std::move(entries)) {
+    for (const SpacePart& part : entries_->others) planners_.push_back(part.entry.make(values));
+    planners_.push_back(entries_->main.make(values));
   }
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    const auto part = &part_for(*parts_, problem.world.site()) - parts_->data();
-    return planners_[static_cast<std::size_t>(part)].plan(problem, run);
+    return planners_[entries_->index_for(problem.world.site())].plan(problem, run);
   }
 
  private:
-  std::shared_ptr<const std::vector<SpacePart>> parts_;
+  std::shared_ptr<const Entries> entries_;
   std::vector<Planner> planners_;
 };
 
@@ -42,25 +52,25 @@ void add_abilities(const Abilities& more, Abilities& all) {
 
 }  // namespace
 
-PlannerEntry under_one_name(std::vector<SpacePart> parts) {
-  assert(!parts.empty());
-  PlannerEntry all = parts.front().entry;
+PlannerEntry under_one_name(PlannerEntry main, std::vector<SpacePart> others) {
+  PlannerEntry all = main;
   std::vector<Parameter> parameters = all.parameters.parameters();
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    const PlannerEntry& more = parts[i].entry;
+  for (const SpacePart& part : others) {
+    const PlannerEntry& more = part.entry;
     assert(more.name == all.name);
     all.help += " " + more.help;
     add_abilities(more.can, all.can);
+    const auto is_known = [&](const Parameter& one) {
+      return std::ranges::find(parameters, one.name, &Parameter::name) != parameters.end();
+    };
     for (const Parameter& parameter : more.parameters.parameters())
-      if (all.parameters.find(parameter.name) == nullptr) parameters.push_back(parameter);
-    if (all.fits.empty()) all.fits = more.fits;
+      if (!is_known(parameter)) parameters.push_back(parameter);
   }
   all.parameters = ParamTable(std::move(parameters));
-  const auto shared = std::make_shared<const std::vector<SpacePart>>(std::move(parts));
-  all.refuses = [shared](const Problem& problem) {
-    return part_for(*shared, problem.world.site()).entry.refuses(problem);
-  };
-  all.make = [shared](const ParamValues& values) { return Planner(OnAnySpace(shared, values)); };
+  const auto entries = std::make_shared<const Entries>(Entries{std::move(main), std::move(others)});
+  all.refuses = [entries](const Problem& problem) { return entries->entry_for(problem.world.site()).refuses(problem); };
+  all.can_there = [entries](const Site& site) { return entries->entry_for(site).can; };
+  all.make = [entries](const ParamValues& values) { return Planner(OnAnySpace(entries, values)); };
   return all;
 }
 

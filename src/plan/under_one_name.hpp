@@ -7,15 +7,15 @@
 
 namespace alate {
 
-/// A planner on one space, and whose sites it serves; the refusal of the part that a site is for is the one told.
+/// A planner on one space, and the sites that it is for.
 struct SpacePart {
-  bool (*is_for)(const Site&) = nullptr;  ///< Not asked of the last part.
+  bool (*is_for)(const Site&) = nullptr;
   PlannerEntry entry;
 };
 
-/// The parts as one planner, which does on each site what the first part does that the site is for, or the last part if
-/// none is. Name and presets are the first part's; abilities hold where one part has them (deterministic: all), and
-/// parameters of all parts can be set.
-PlannerEntry under_one_name(std::vector<SpacePart> parts);
+/// All as one planner, which does on each site what the first part does that the site is for, or `main` if none is; so
+/// with refusals, and with `can_on`. Name, presets and the first words of the help are those of `main`; abilities hold
+/// where one has them (deterministic: all), and parameters of all can be set.
+PlannerEntry under_one_name(PlannerEntry main, std::vector<SpacePart> others);
 
 }  // namespace alate

@@ -126,32 +126,4 @@ std::string VoxelLegs::no_way(const Problem& problem) {
       at_start ? "start" : "goal", room.count(), nearest[0], nearest[1], nearest[2], at_start ? "goal" : "start");
 }
 
-namespace {
-
-/// Two planners under one name, each for its kind of map.
-class OnItsMap {
- public:
-  OnItsMap(Planner grid, Planner voxels) : grid_(std::move(grid)), voxels_(std::move(voxels)) {}
-  Plan plan(const Problem& problem, RunContext& run) const {
-    return (problem.world.site().voxels ? voxels_ : grid_).plan(problem, run);
-  }
-
- private:
-  Planner grid_;
-  Planner voxels_;
-};
-
-}  // namespace
-
-PlannerEntry with_voxels(PlannerEntry entry, const std::function<Planner()>& make_voxels) {
-  entry.can.voxels = true;
-  entry.refuses = [on_grid = entry.refuses](const Problem& problem) {
-    return problem.world.site().voxels ? voxel_refusal(problem) : on_grid(problem);
-  };
-  entry.make = [on_grid = entry.make, make_voxels](const ParamValues& values) {
-    return Planner(OnItsMap(on_grid(values), make_voxels()));
-  };
-  return entry;
-}
-
 }  // namespace alate

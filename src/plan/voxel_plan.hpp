@@ -44,7 +44,4 @@ struct VoxelLines : VoxelLegs {
   static double least_length(const Problem& problem);
 };
 
-/// The entry of a planner on height grids, to serve voxels as well: there `make_voxels` makes the planner.
-PlannerEntry with_voxels(PlannerEntry entry, const std::function<Planner()>& make_voxels);
-
 }  // namespace alate

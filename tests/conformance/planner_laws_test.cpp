@@ -96,11 +96,7 @@ class PlannerLaws : public testing::TestWithParam<Law> {
     for (const Violation& broken : verdict.violations)
       ADD_FAILURE() << broken.rule << " on leg " << broken.leg << ": " << broken.value << ", allowed " << broken.limit;
   }
-  /// Among voxels theta-star is not.
-  bool is_exact() const {
-    return builtin_planners().find(GetParam().planner)->can.exact &&
-           !(site_.voxels && GetParam().planner == "theta-star");
-  }
+  bool is_exact() const { return builtin_planners().find(GetParam().planner)->can_on(site_).exact; }
 
   World world_{problems().at(GetParam().problem)};
   const Site& site_ = world_.site();
@@ -140,10 +136,10 @@ TEST_P(PlannerLaws, TheCostIsWhatTheRouteMeasuresAndNotBelowTheBound) {
 /// Through the air no planner has: a lattice's best string of moves is not it, and the planner says what it is.
 TEST_P(PlannerLaws, OnlyAnExactPlannerClaimsTheOptimum) {
   const Plan plan = run({.iterations = 1});
-  const bool is_proven = is_exact() && !is_through_air();
-  EXPECT_EQ(plan.outcome == Outcome::optimal, is_proven);
-  EXPECT_TRUE(!is_proven || plan.cost <= plan.lower_bound * (1 + hair()));
-  EXPECT_TRUE(is_proven || !is_exact() || !plan.why.empty());
+  EXPECT_EQ(plan.outcome == Outcome::optimal, is_exact());
+  EXPECT_TRUE(!is_exact() || plan.cost <= plan.lower_bound * (1 + hair()));
+  const bool is_exact_elsewhere = builtin_planners().find(GetParam().planner)->can.exact;
+  EXPECT_TRUE(!is_exact_elsewhere || !is_through_air() || !plan.why.empty());
 }
 
 TEST_P(PlannerLaws, ActionsReplayToTheSamePositions) {

@@ -39,7 +39,10 @@ struct PlannerEntry {
   std::function<std::string(const Problem&)> refuses;
   std::function<Planner(const ParamValues&)> make;
   std::string fits;  ///< Why automatic choice takes it; empty: it is the first that can serve.
+  /// What it can do on a site, for a planner of several spaces; `can` is then all that it can anywhere.
+  std::function<Abilities(const Site&)> can_there = nullptr;
 
+  Abilities can_on(const Site& site) const { return can_there ? can_there(site) : can; }
   const Preset* find_preset(std::string_view preset) const;
 };
 

@@ -36,7 +36,8 @@ struct StudyScenario {
 struct StudyPlanner {
   std::string name;
   std::string preset;  ///< With the parameters that were set: "guided ants=20".
-  std::string space;   ///< Where it searches; a proof of an exact planner holds for planners of the same space.
+  /// On a scenario's site; a proof of an exact planner holds for planners of the same space.
+  std::function<Abilities(const Site&)> can_on;
   bool chance = true;  ///< The seed changes its runs.
   Planner planner;
 };

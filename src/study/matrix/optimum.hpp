@@ -18,6 +18,9 @@ class Optima {
   std::optional<double> of(const StudyJob& job) const;
 
  private:
+  /// A planner of several spaces has one on each scenario.
+  std::string space_of(const StudyPlanner& planner, const StudyJob& job) const;
+
   const Study& study_;
   std::map<std::pair<std::size_t, std::string>, double> proved_;
 };

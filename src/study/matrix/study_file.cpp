@@ -93,7 +93,7 @@ void add_references(Study& study, const Registry& registry) {
     const std::size_t index = study.references.size();
     study.references.push_back({.name = entry.name,
                                 .preset = preset.name,
-                                .space = entry.can.space,
+                                .can_on = [&entry](const Site& site) { return entry.can_on(site); },
                                 .chance = !entry.can.deterministic,
                                 .planner = entry.make(entry.parameters.resolve(preset.values, {}, none))});
     for (std::size_t s = 0; s < study.scenarios.size(); ++s) {

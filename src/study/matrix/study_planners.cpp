@@ -57,7 +57,7 @@ class PlannerList {
     faults_.take(std::move(found), "");
     PlannerItem made{.planner = {.name = entry->name,
                                  .preset = preset->name + shown,
-                                 .space = entry->can.space,
+                                 .can_on = [entry](const Site& site) { return entry->can_on(site); },
                                  .chance = !entry->can.deterministic,
                                  .planner = entry->make(values)},
                      .entry = entry,
