@@ -38,7 +38,7 @@ const std::vector<Mutation> kMutations{
     {"IntoASphere", "threat_core", {3, 4}, move(3, {2000, 550, 320})},
     {"IntoACylinder", "threat_core", {2}, [](Site& site, Route&) { site.threats[1].center = {1250, 240, 0}; }},
     {"TightCorner", "turn", {2, 3}, move(2, {1100, 350, 320})},
-    {"OffTheStartHeading", "turn", {1}, [](Site& site, Route&) { site.mission.heading_rad = radians(-10); }},
+    {"OffTheStartHeading", "turn", {1}, [](Site& site, Route&) { site.mission.heading_rad = radians(-45); }},
     {"SteepClimb", "climb", {2}, move(2, {1040, 150, 320})},
     {"SteepDescent", "descent", {4}, move(4, {2040, 258, 300})},
     {"OutOfTheArea", "bounds", {3, 4}, move(3, {2000, -20, 320})},

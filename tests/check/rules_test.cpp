@@ -50,11 +50,21 @@ TEST(Turn, ArcThatMissesItsEndFails) {
   EXPECT_TRUE(broken_legs(check(turning_site(), route)).contains(2));
 }
 
-TEST(Turn, RoomIsHalfOfTheShorterLeg) {
-  const Route route = make_route({{0, 0, 0}, {0, 400, 0}, {1000, 400, 0}});
+TEST(Turn, ACornerMayUseAllOfALegThatNoOtherNeeds) {
   Site site = turning_site();
   site.mission.start = {0, 0, 0};
-  EXPECT_NEAR(find_margin(check(site, route), "turn")->margin, 200 / std::tan(kPi / 4) - 150, 1e-9);
+  EXPECT_NEAR(find_margin(check(site, make_route({{0, 0, 0}, {0, 400, 0}, {1000, 400, 0}})), "turn")->margin, 250,
+              1e-9);
+}
+
+TEST(Turn, TwoCornersShareTheLegBetweenThem) {
+  Site site = turning_site();
+  site.mission.start = {0, 0, 0};
+  const Route square = make_route({{0, -2000, 0}, {0, 0, 0}, {600, 0, 0}, {600, -2000, 0}});
+  EXPECT_NEAR(find_margin(check(site, square), "turn")->margin, 600 / (2 * std::tan(kPi / 4)) - 150, 1e-9);
+  const Route hook = make_route({{0, -2000, 0}, {0, 0, 0}, {600, 0, 0}, {2600, 2000, 0}});
+  const double room = 600 / (std::tan(kPi / 4) + std::tan(kPi / 8));
+  EXPECT_NEAR(find_margin(check(site, hook), "turn")->margin, room - 150, 1e-9);
 }
 
 TEST(Turn, ReversalHasNoRadius) {

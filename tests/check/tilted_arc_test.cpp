@@ -181,9 +181,9 @@ TEST(TiltedArc, ClimbOfStraightLegsIsATurnInSpaceAlone) {
   const Route route = make_route({{0, 0, 0}, {300, 0, 0}, {600, 0, 300}});
   Site site = turning_site(route);
   EXPECT_TRUE(check(site, route).ok());
-  site.navigation->turn_radius_m = 400;
+  site.navigation->turn_radius_m = 800;
   EXPECT_EQ(broken_rules(check(site, route)), std::set<std::string>{"turn"});
-  EXPECT_NEAR(find_margin(check(site, route), "turn")->margin, 150 / std::tan(kPi / 8) - 400, 1e-9);
+  EXPECT_NEAR(find_margin(check(site, route), "turn")->margin, 300 / std::tan(kPi / 8) - 800, 1e-9);
   site.navigation->turn_model = TurnModel::none;
   EXPECT_TRUE(check(site, route).ok());
   EXPECT_NE(find_not_checked(check(site, route), "turn"), nullptr);
