@@ -89,7 +89,7 @@ std::string route_waypoints(const RouteToWrite& route) {
   std::size_t row = 0;
   const auto add = [&](int command, double param2, double param3, const GeoPoint& at, double height) {
     fmt::format_to(std::back_inserter(text),
-                   "{}\t{}\t{}\t{}\t0.000000\t{:.6f}\t{:.6f}\t0.000000\t{:.8f}\t{:.8f}\t{:.6f}\t1\n", row,
+                   "{}\t{}\t{}\t{}\t0.000000\t{:.6f}\t{:.6f}\t0.000000\t{:.11f}\t{:.11f}\t{:.6f}\t1\n", row,
                    row == 0 ? 1 : 0, kFrameGlobal, command, param2, param3, at.lat_deg, at.lon_deg, height);
     ++row;
   };

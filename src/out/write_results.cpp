@@ -72,15 +72,25 @@ void warn_of_mission(const RouteToWrite& route, Selection& selection) {
                                              items, kCommonMissionItems));
 }
 
+/// In the widest corners that keep every rule when flown straight from one to the next; in the widest of all where none
+/// of them do.
+Route mission_of(const Site& site, const Route& route) {
+  constexpr double kWidest = 15 * kPi / 180;
+  for (const double corner : {kWidest, kWidest / 2, kWidest / 4}) {
+    Route waypoints = waypoints_of(route, corner);
+    if (check(site, waypoints).violations.empty()) return waypoints;
+  }
+  return waypoints_of(route, kWidest);
+}
+
 /// The mission goes round corners where the route has arcs.
 void warn_of_corners(const Site& site, const Route& waypoints, Selection& selection) {
   if (std::ranges::none_of(selection.written, &RouteFormat::flown)) return;
   for (const Violation& broken : check(site, waypoints).violations)
-    if (broken.rule != "turn")
-      selection.warnings.push_back(
-          fmt::format("the mission has corners around the route's arcs; flown from corner to corner without rounding "
-                      "them, it breaks {} by {:.2f} {} on its leg {}",
-                      broken.rule, std::abs(broken.value - broken.limit), broken.unit, broken.leg));
+    selection.warnings.push_back(
+        fmt::format("the mission has corners around the route's arcs; flown from corner to corner without rounding "
+                    "them, it breaks {} by {:.2f} {} on its leg {}",
+                    broken.rule, std::abs(broken.value - broken.limit), broken.unit, broken.leg));
 }
 
 }  // namespace
@@ -88,7 +98,7 @@ void warn_of_corners(const Site& site, const Route& waypoints, Selection& select
 void write_results(const std::string& folder, Result& result) {
   OutputFolder output(folder);
   Selection selection;
-  const Route waypoints = waypoints_of(result.plan.route);
+  const Route waypoints = mission_of(result.site, result.plan.route);
   const RouteToWrite route{result, route_points(result.site, result.plan.route), route_points(result.site, waypoints)};
   if (!route.points.empty()) {
     selection = select(route);

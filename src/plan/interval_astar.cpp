@@ -24,6 +24,9 @@ constexpr std::array kPasses{Pass{2.5, 1},    Pass{1.15, 1}, Pass{1.05, 1}, Pass
 constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
 constexpr int kTrials = 250;               ///< Of changes, an iteration.
 
+/// Degrees in a mission file and their way back to metres move the last waypoint by some millimetres.
+constexpr double kSpareTolerance_m = 0.01;
+
 /// All that is known of one problem while it is worked on. An iteration is a search, or a round of changes to a way
 /// that one of them found.
 class IntervalRun {
@@ -36,7 +39,8 @@ class IntervalRun {
         objective_(problem.world),
         to_go_(problem.world, band_.slopes(), run),
         search_(cost_, to_go_),
-        end_{.goal = problem.mission.goal, .tolerance_m = std::max(0.0, problem.mission.tolerance_m - 1e-3)},
+        end_{.goal = problem.mission.goal,
+             .tolerance_m = std::max(0.0, problem.mission.tolerance_m - kSpareTolerance_m)},
         random_(run.seed(), 0, 0) {}
 
   void improve(Plan& plan) {

@@ -91,7 +91,7 @@ class TemporaryFolder {
 
 inline RouteToWrite to_write(const Flight& flight) {
   const Route& route = flight.result.plan.route;
-  return {flight.result, route_points(flight.site, route), route_points(flight.site, waypoints_of(route))};
+  return {flight.result, route_points(flight.site, route), route_points(flight.site, waypoints_of(route, radians(15)))};
 }
 
 inline std::string read_text(const std::filesystem::path& file) {

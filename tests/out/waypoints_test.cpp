@@ -29,14 +29,14 @@ Route turning_route() {
 TEST(Waypoints, LeaveStraightRoutesAsTheyAre) {
   Route route;
   route.states = {{.position = {0, 0, 1}, .leg = LegKind::start}, {.position = {9, 0, 1}}, {.position = {9, 9, 2}}};
-  const Route same = waypoints_of(route);
+  const Route same = waypoints_of(route, radians(15));
   ASSERT_EQ(same.states.size(), 3U);
   EXPECT_EQ(same.states[1].position, route.states[1].position);
 }
 
 TEST(Waypoints, GoRoundAnArcInCornersThatItsCircleRounds) {
   const Route route = turning_route();
-  const Route corners = waypoints_of(route);
+  const Route corners = waypoints_of(route, radians(15));
   ASSERT_EQ(corners.states.size(), 2U + 7U);  // 100 degrees in parts of at most 15
   EXPECT_EQ(corners.states.front().position, route.states.front().position);
   EXPECT_EQ(corners.states.back().position, route.states.back().position);
@@ -56,10 +56,18 @@ TEST(Waypoints, GoRoundAnArcInCornersThatItsCircleRounds) {
   }
 }
 
+TEST(Waypoints, KeepACrestOnAnArc) {
+  Route route = turning_route();
+  route.states[1].position.z() = 150;
+  const Route corners = waypoints_of(route, radians(15));
+  ASSERT_EQ(corners.states.size(), 2U + 7U + 1U);
+  EXPECT_EQ(corners.states[1].position, route.states[1].position);
+}
+
 TEST(Waypoints, KeepCorrectionPointsAtTheEndsOfArcs) {
   Route route = turning_route();
   route.states[1].point_id = 7;
-  const Route corners = waypoints_of(route);
+  const Route corners = waypoints_of(route, radians(15));
   EXPECT_EQ(corners.states[1].point_id, 7);
 }
 

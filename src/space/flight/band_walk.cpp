@@ -7,11 +7,17 @@ namespace alate {
 
 namespace {
 
-/// Spare height, for rounding and for bends of the profile that come too close to an end to be flown as legs.
-constexpr double kRounding_m = 0.005;
+/// For rounding, and for bends of the profile that come too close to an end to be flown as legs.
+constexpr double kSpareHeight_m = 0.005;
+
+/// Mission files hold corners around the arcs, to a millimetre: they must still have room for the vehicle's circle.
+constexpr double kSpareRadius = 1.002;
+
+/// So with the slopes of their legs, some of which are a decimetre long.
+constexpr double kSpareSlope = 0.9998;
 
 double slope(const std::optional<double>& limit_rad) {
-  return limit_rad && *limit_rad < kPi / 2 ? std::tan(*limit_rad) * (1 - 1e-9)
+  return limit_rad && *limit_rad < kPi / 2 ? kSpareSlope * std::tan(*limit_rad)
                                            : std::numeric_limits<double>::infinity();
 }
 
@@ -35,23 +41,23 @@ BandWalk::BandWalk(const World& world)
     : world_(world),
       raster_(std::get_if<HeightRaster>(&world.site().ground)),
       peaks_(std::get_if<PeakGround>(&world.site().ground)),
-      radius_m_(*world.site().vehicle.turn_radius_m),
+      radius_m_(kSpareRadius * *world.site().vehicle.turn_radius_m),
       slopes_{slope(world.site().vehicle.climb_rad), slope(world.site().vehicle.descent_rad)} {
   const Site& site = world.site();
   most_chord_m_ = 2 * radius_m_ * std::acos(std::max(-1.0, 1 - kSagitta_m / radius_m_));
   if (peaks_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * peaks_->steepness();
   // Posts may lie closer along one axis than the mean tells: twice as close is more than any raster on Earth has.
   if (raster_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * 2 * steepness(*raster_) / raster_->cell_m;
-  clearance_m_ = site.band.clearance_m + kRounding_m;
+  clearance_m_ = site.band.clearance_m + kSpareHeight_m;
   if (peaks_ != nullptr) peak_slope_ = peaks_->steepness();
-  if (site.band.ceiling_agl_m && site.has_ground()) ceiling_agl_m_ = *site.band.ceiling_agl_m - kRounding_m;
+  if (site.band.ceiling_agl_m && site.has_ground()) ceiling_agl_m_ = *site.band.ceiling_agl_m - kSpareHeight_m;
   if (site.band.ceiling_amsl_m) ceiling_amsl_m_ = *site.band.ceiling_amsl_m;
   for (const Threat& threat : site.threats) {
     if (threat.core_m <= 0) continue;
     const bool sphere = threat.shape == Threat::Shape::sphere;
     cores_.push_back({.center = threat.center.head<2>(),
                       .reach_m = threat.core_m + 2 * kSagitta_m,
-                      .top_m = sphere ? threat.center.z() : threat.top_m + kRounding_m,
+                      .top_m = sphere ? threat.center.z() : threat.top_m + kSpareHeight_m,
                       .sphere = sphere});
   }
 }

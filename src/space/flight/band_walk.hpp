@@ -34,6 +34,7 @@ class BandWalk {
   explicit BandWalk(const World& world);
 
   const World& world() const { return world_; }
+  /// Of the circles that are flown: a little more than the least that the vehicle can.
   double radius_m() const { return radius_m_; }
   const SlopeLimits& slopes() const { return slopes_; }
 

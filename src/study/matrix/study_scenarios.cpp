@@ -89,8 +89,8 @@ class ScenarioList {
       std::string name = field.substr(field.rfind('.') + 1);
       if (!each.chosen.empty()) name.append(" ").append(each.chosen);
       const std::string& group = items_.groups[group_];
-      if (!read_one(each.node, group.empty() ? "scenario " + name : group + ": " + name, field))
-        return;  // The others would fail in the same way.
+      name = group.empty() ? fmt::format("scenario {}", name) : fmt::format("{}: {}", group, name);
+      if (!read_one(each.node, name, field)) return;  // The others would fail in the same way.
     }
   }
 
