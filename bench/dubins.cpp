@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -37,7 +38,7 @@ const Pairs& pairs() {
     Stream stream(1, 0, 0);
     const auto place = [&] { return 20 * kRadius_m * stream.uniform(); };
     // OMPL refuses a heading of exactly pi.
-    const auto heading = [&] { return 3.14159 * (2 * stream.uniform() - 1); };
+    const auto heading = [&] { return (1 - 1e-6) * std::numbers::pi * (2 * stream.uniform() - 1); };
     for (std::size_t i = 0; i < kPairs; ++i) {
       for (auto* poses : {&made.from, &made.to}) {
         const double x = place();

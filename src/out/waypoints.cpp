@@ -35,9 +35,9 @@ void add_chords(const Route& route, std::size_t i, Route& out) {
 
 bool is_upright_arc(const RouteState& state) { return state.arc && !state.arc->plane; }
 
-/// Neither turns nor bends in height there, to a millimetre.
+/// Neither turns nor bends in height there, to what a planner keeps above the ground to spare.
 bool is_needless(const RouteState& state, const Vec3& before, const Vec3& after) {
-  constexpr double kLeast_m = 1e-3;
+  constexpr double kLeast_m = 5e-3;
   if (state.point_id || state.leg == LegKind::start) return false;
   const Vec3 along = after - before;
   const double part = std::clamp((state.position - before).dot(along) / along.squaredNorm(), 0.0, 1.0);

@@ -153,7 +153,8 @@ PlannerEntry interval_astar_entry() {
           .presets = {{.name = "default", .help = "It has no parameters."}},
           .parameters = ParamTable(std::vector<Parameter>{}),
           .refuses = refusal,
-          .make = [](const ParamValues&) { return Planner(IntervalPlanner{}); }};
+          .make = [](const ParamValues&) { return Planner(IntervalPlanner{}); },
+          .fits = "an aircraft with a turn radius flies cheapest along arcs and straight legs that follow the ground"};
 }
 
 }  // namespace alate

@@ -37,6 +37,7 @@ std::vector<std::string> Registry::names() const {
 const Registry& builtin_planners() {
   static const Registry kRegistry = [] {
     Registry registry;
+    registry.add(interval_astar_entry());
     registry.add(beam_entry());
     registry.add(greedy_entry());
     registry.add(attitude_aco_entry());
@@ -51,7 +52,6 @@ const Registry& builtin_planners() {
     registry.add(under_one_name(theta_star_entry(), {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()},
                                                      {.is_for = is_among_voxels, .entry = voxel_theta_star_entry()}}));
     registry.add(grid_aco_entry());
-    registry.add(interval_astar_entry());
     return registry;
   }();
   return kRegistry;

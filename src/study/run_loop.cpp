@@ -1,5 +1,6 @@
 #include "study/run_loop.hpp"
 
+#include <atomic>
 #include <mutex>
 
 namespace alate {
@@ -40,11 +41,16 @@ StudyRun run_once(const Planner& planner, const Problem& problem, RunOptions opt
 
 bool run_all(const RunLoop& loop, Executor& executor) {
   Counter counter(loop);
-  executor.for_ranges(loop.count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !loop.stop.stop_requested(); ++i) {
+  std::atomic<std::size_t> next{0};
+  // One run after another, not pieces of many: near the end no thread may be left with a whole piece.
+  const auto work = [&] {
+    for (std::size_t i = next++; i < loop.count && !loop.stop.stop_requested(); i = next++) {
       loop.run(i);
       counter.finish_one();
     }
+  };
+  executor.for_ranges(static_cast<std::size_t>(executor.threads()), [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) work();
   });
   return !loop.stop.stop_requested();
 }

@@ -71,7 +71,7 @@ TEST(RouteWaypoints, BeginAtHomeOnTheGround) {
   std::string line;
   std::getline(stream, line);
   std::getline(stream, line);
-  static const std::regex kHome(R"(0\t1\t0\t16(\t0\.000000){4}\t\d+\.\d{8}\t\d+\.\d{8}\t([\d.-]+)\t1)");
+  static const std::regex kHome(R"(0\t1\t0\t16(\t0\.000000){4}\t\d+\.\d{11}\t\d+\.\d{11}\t([\d.-]+)\t1)");
   std::smatch home;
   ASSERT_TRUE(std::regex_match(line, home, kHome)) << line;
   EXPECT_NEAR(std::stod(home[2]), 150 - *route.points[0].agl_m, 1e-6);

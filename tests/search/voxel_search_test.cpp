@@ -138,7 +138,7 @@ TYPED_TEST(VoxelSearch, ReachesThePublishedOptima) {
       ++rows;
     }
   }
-  EXPECT_EQ(rows, 2 * 10'000 / kEvery);
+  EXPECT_EQ(rows, std::size_t{20'000} / kEvery);
 }
 
 TEST(VoxelMoves, WithoutWallsOnlyTheNaturalSuccessorsAreLeft) {
