@@ -71,16 +71,17 @@ void carve_bend(DrawnTerrain& terrain, const Vec2& from, const Vec2& corner, con
 }
 
 DrawnTerrain draw_canyon(int side, std::uint64_t seed) {
-  constexpr double kSwing_m = 1000;
+  constexpr double kMostSwing_m = 1000;
   constexpr double kDeadEnd_m = 500;
   constexpr double kFromSide_m = 150;
   DrawnTerrain terrain = level_ground(side, static_cast<float>(kPlain_m));
   const double width = terrain.width_m();
+  const double swing_m = std::min(kMostSwing_m, width / 5);
   const auto bends = static_cast<std::size_t>(std::max(2.0, std::floor(width / kBendEvery_m)));
   Stream random(seed, 0, 0);
   std::vector<Vec2> corners;
   for (std::size_t i = 0; i <= bends; ++i) {
-    const double swing = (i % 2 == 0 ? 1 : -1) * kSwing_m * (0.5 + random.uniform());
+    const double swing = (i % 2 == 0 ? 1 : -1) * swing_m * (0.5 + random.uniform());
     corners.emplace_back(width * static_cast<double>(i) / static_cast<double>(bends), width / 2 + swing);
   }
   for (std::size_t i = 1; i < bends; ++i) {
