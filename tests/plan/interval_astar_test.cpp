@@ -9,7 +9,6 @@
 #include "space/objective.hpp"
 #include "support/fly.hpp"
 #include "support/hand_made_sites.hpp"
-#include "support/shared_data.hpp"
 
 namespace alate {
 namespace {
@@ -138,31 +137,6 @@ TEST(IntervalAStar, FindsNoWayThroughAWallWithoutAGap) {
   EXPECT_EQ(plan.outcome, Outcome::none_found);
   EXPECT_FALSE(plan.why.empty());
 }
-
-struct AlpineWorld {
-  std::string scenario;
-  std::string dem;
-};
-
-class AlpineWorlds : public testing::TestWithParam<AlpineWorld> {};
-
-/// Steep ground, 60 to 400 m or 50 to 120 m above it.
-TEST_P(AlpineWorlds, AreFlown) {
-  ALATE_NEEDS_SHARED_DATA("terrain/swiss/" + GetParam().dem);
-  const std::string dem = test::shared_data("terrain/swiss/" + GetParam().dem);
-  const std::string file = ALATE_SOURCE_DIR "/examples/worlds/" + GetParam().scenario + ".yaml";
-  const World world(load_site(load_scenario(file, {"terrain.dem=" + dem})));
-  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 4});
-  ASSERT_EQ(plan.outcome, Outcome::feasible) << plan.why;
-  EXPECT_TRUE(check(world.site(), plan.route).ok());
-  EXPECT_GE(plan.cost, plan.lower_bound);
-}
-
-INSTANTIATE_TEST_SUITE_P(All, AlpineWorlds,
-                         testing::Values(AlpineWorld{"davos-wide", "davosdorf.tif"},
-                                         AlpineWorld{"davos-narrow", "davosdorf.tif"},
-                                         AlpineWorld{"sertig-wide", "sertig_valley.tif"},
-                                         AlpineWorld{"sertig-narrow", "sertig_valley.tif"}));
 
 /// Without a heading at the start, it begins as suits it best.
 TEST(IntervalAStar, ChoosesAHeadingWhereNoneIsGiven) {

@@ -23,4 +23,19 @@ std::vector<std::string> correction_laws();
 /// Throws InputError for an unknown law or a folder that cannot be written, std::system_error if the disk fails.
 std::vector<std::string> write_corrections(const CorrectionRequest& request, const std::string& folder);
 
+inline constexpr int kLeastGeneratedSide = 100;
+inline constexpr int kMostGeneratedSide = 12'000;
+
+struct TerrainRequest {
+  std::string law = "canyon";
+  int side = 601;  ///< Posts along a side, kLeastGeneratedSide to kMostGeneratedSide, 10 m apart.
+  std::uint64_t seed = 1;
+};
+
+/// canyon: one that winds from west to east through a high plain, with dead ends. hills: rough ground everywhere.
+std::vector<std::string> terrain_laws();
+
+/// Writes terrain.tif and scenario.yaml; else as above. The same request gives the same heights on every machine.
+std::vector<std::string> write_terrain(const TerrainRequest& request, const std::string& folder);
+
 }  // namespace alate
