@@ -87,7 +87,7 @@ class IntervalRun {
   /// Altitudes for the way that seems best; kept if it is.
   void fly_best(Plan& plan) {
     const FlightPath& path = paths_.front();
-    if (auto route = fly_track(band_, path.track(), problem_.mission.start, path.end())) {
+    if (auto route = fly_track(cost_, path.track(), problem_.mission.start, path.end())) {
       const double cost = objective_.route_cost(*route);
       if (plan.route.empty() || cost < plan.cost) {
         plan.outcome = Outcome::feasible;

@@ -1,6 +1,9 @@
 // Ground, ceiling and threat on coarse cells: what the guidance over terrain is computed on.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "alate/core/run_context.hpp"
@@ -26,8 +29,28 @@ class CoarseBand {
   std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
   double cell_m() const { return cell_m_; }
   Vec2 center(std::size_t cell) const;
-  /// Column and row as real numbers, whole at cell centres.
-  Vec2 grid_position(const Vec2& xy) const { return (xy - area_.min) / cell_m_ - Vec2(0.5, 0.5); }
+  /// Bilinear between the middles of the four cells around `xy`; cells whose value is infinite are left out, and
+  /// infinite where all are. value(cell) is what a cell says.
+  template <class Value>
+  double blend(const Vec2& xy, const Value& value) const {
+    const Vec2 place = (xy - area_.min) / cell_m_ - Vec2(0.5, 0.5);
+    const Vec2 corner(std::floor(place.x()), std::floor(place.y()));
+    const Vec2 part = place - corner;
+    double sum = 0;
+    double weights = 0;
+    for (int dj = 0; dj < 2; ++dj) {
+      for (int di = 0; di < 2; ++di) {
+        const int i = std::clamp(static_cast<int>(corner.x()) + di, 0, columns_ - 1);
+        const int j = std::clamp(static_cast<int>(corner.y()) + dj, 0, rows_ - 1);
+        const double weight = (di == 0 ? 1 - part.x() : part.x()) * (dj == 0 ? 1 - part.y() : part.y());
+        const double here = value(static_cast<std::size_t>(j * columns_ + i));
+        if (std::isinf(here) || weight <= 0) continue;
+        sum += weight * here;
+        weights += weight;
+      }
+    }
+    return weights > 0 ? sum / weights : std::numeric_limits<double>::infinity();
+  }
 
   bool blocked(std::size_t cell) const { return !(floor_[cell] <= ceiling_[cell]); }
   double floor_m(std::size_t cell) const { return floor_[cell]; }

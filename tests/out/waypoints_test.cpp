@@ -56,12 +56,13 @@ TEST(Waypoints, GoRoundAnArcInCornersThatItsCircleRounds) {
   }
 }
 
-TEST(Waypoints, KeepACrestOnAnArc) {
+TEST(Waypoints, KeepBendsInHeightAtTheEndsOfArcs) {
   Route route = turning_route();
   route.states[1].position.z() = 150;
   const Route corners = waypoints_of(route, radians(15));
-  ASSERT_EQ(corners.states.size(), 2U + 7U + 1U);
+  ASSERT_EQ(corners.states.size(), 2U + 7U + 2U);  // the crest, and the dip where the arc ends
   EXPECT_EQ(corners.states[1].position, route.states[1].position);
+  EXPECT_EQ(corners.states[9].position, route.states[2].position);
 }
 
 TEST(Waypoints, KeepCorrectionPointsAtTheEndsOfArcs) {

@@ -59,7 +59,7 @@ int expect_lives_as_checked(Site site, std::uint64_t seed) {
                     .heading_given = true,
                     .goal = {end.x, end.y, z_end},
                     .tolerance_m = 0.001};
-    const auto route = fly_track(band, track, site.mission.start, {.goal = site.mission.goal, .tolerance_m = 0});
+    const auto route = fly_track(FlightCost(band), track, site.mission.start, {.goal = site.mission.goal, .tolerance_m = 0});
     EXPECT_TRUE(route) << trial;
     if (!route) continue;
     ++flown;
@@ -112,7 +112,7 @@ TEST(FlightPath, KnowsItsCostAfterManyChanges) {
     before = path.cost();
     const FlightPath anew(cost, path.end(), path.track(), mission.start.z());
     EXPECT_NEAR(path.cost(), anew.cost(), 1e-6 * path.cost());
-    const auto route = fly_track(band, path.track(), mission.start, path.end());
+    const auto route = fly_track(cost, path.track(), mission.start, path.end());
     ASSERT_TRUE(route);
     EXPECT_TRUE(check(world.site(), *route).ok());
     // Slopes of up to 10 degrees make a flight longer than its track by up to 1.5 %.

@@ -1,4 +1,4 @@
-// From a track to a route: altitudes by a taut string through the band, legs where it bends.
+// From a track to a route: altitudes by a taut string through the band or a part of it, legs where it bends.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace alate {
 
-/// The route over a track with the least length and ascent; nothing where no altitude profile keeps the band (no track
-/// of `IntervalAStar` or `FlightPath` is such).
-std::optional<Route> fly_track(const BandWalk& band, const Track& track, const Vec3& start, const FlightEnd& end);
+/// The route over a track with the least length and ascent, or one that threats see less of where that is cheaper;
+/// nothing where no altitude profile keeps the band (no track of `IntervalAStar` or `FlightPath` is such).
+std::optional<Route> fly_track(const FlightCost& cost, const Track& track, const Vec3& start, const FlightEnd& end);
 
 }  // namespace alate

@@ -155,24 +155,8 @@ float ClimbField::value_at(std::size_t cell, float z) const {
 double ClimbField::operator()(const Vec3& position) const {
   if ((position - site_.mission.goal).head<2>().norm() < kSeedCells * band_.cell_m())
     return physical_bound(site_, position);
-  const Vec2 place = band_.grid_position(position.head<2>());
-  const Vec2 corner(std::floor(place.x()), std::floor(place.y()));
-  const Vec2 part = place - corner;
-  double sum = 0;
-  double weights = 0;
-  for (int dj = 0; dj < 2; ++dj) {
-    for (int di = 0; di < 2; ++di) {
-      const int i = std::clamp(static_cast<int>(corner.x()) + di, 0, band_.columns() - 1);
-      const int j = std::clamp(static_cast<int>(corner.y()) + dj, 0, band_.rows() - 1);
-      const int cell = j * band_.columns() + i;
-      const auto value = double{value_at(static_cast<std::size_t>(cell), static_cast<float>(position.z()))};
-      const double weight = (di == 0 ? 1 - part.x() : part.x()) * (dj == 0 ? 1 - part.y() : part.y());
-      if (std::isinf(value) || weight <= 0) continue;
-      sum += weight * value;
-      weights += weight;
-    }
-  }
-  return weights > 0 ? sum / weights : std::numeric_limits<double>::infinity();
+  return band_.blend(position.head<2>(),
+                     [&](std::size_t cell) { return double{value_at(cell, static_cast<float>(position.z()))}; });
 }
 
 }  // namespace alate

@@ -16,6 +16,9 @@ class FlightCost {
   const BandWalk& band() const { return band_; }
   double length_weight() const { return weights_.length; }
   double climb_weight() const { return weights_.climb; }
+  double threat_weight() const { return weights_.threat; }
+  /// False where surely no threat sees any of it.
+  bool near_threat(const PlanarPiece& piece) const;
 
   /// Advances the label; its cost without ascent, infinite if no altitude is left.
   double advance(const PlanarPiece& piece, AltitudeLabel& label) const;
@@ -23,7 +26,6 @@ class FlightCost {
 
  private:
   double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
-  bool near_threat(const PlanarPiece& piece) const;
 
   const BandWalk& band_;
   ObjectiveSpec weights_;
