@@ -53,6 +53,8 @@ bool IntervalRun::add(const Track& track) {
   if (!std::isfinite(path.cost())) return false;
   paths_.push_back(std::move(path));
   std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
+  in_flight_ = true;
+  pass_ = std::max<std::size_t>(pass_, 1);  // Haste is for those who have nothing.
   return true;
 }
 
@@ -70,6 +72,13 @@ bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& p
   return true;
 }
 
+void IntervalRun::search_next(IntervalAStar& astar, Plan& plan) {
+  constexpr std::uint64_t kMostInFlight = 50'000;  // nodes, some 0.1 s
+  IntervalPass pass = kPasses[pass_++];
+  if (in_flight_) pass.most_nodes = kMostInFlight;
+  if (search(astar, pass, plan)) paths_.back().better(random_, kTrials, run_);
+}
+
 void IntervalRun::change_some() {
   // The best one every other round, the second one every fourth, ...
   const auto rank = static_cast<std::size_t>(std::countr_zero(++rounds_));
@@ -77,10 +86,9 @@ void IntervalRun::change_some() {
 }
 
 void IntervalRun::improve(IntervalAStar& astar, Plan& plan) {
-  if (!paths_.empty()) pass_ = std::max<std::size_t>(pass_, 1);  // Haste is for those who have nothing.
   while (run_.start_iteration(kIterations)) {
-    if (pass_ < kPasses.size()) {
-      if (search(astar, kPasses[pass_++], plan)) paths_.back().better(random_, kTrials, run_);
+    if (pass_ < kPasses.size() && (!in_flight_ || run_.iterations() % 2 != 0)) {
+      search_next(astar, plan);
     } else if (paths_.empty()) {
       return;
     } else {

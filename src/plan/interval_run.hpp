@@ -50,13 +50,15 @@ class IntervalRun {
   /// Altitudes for the way that seems best; into `plan` if it is better than what is there.
   void fly_best(Plan& plan);
 
-  /// Searches, then changes what was found, until the budget is used.
+  /// Searches, then changes what was found, until the budget is used. Where a way was added, as in flight, searches
+  /// take turns with changes and none may be long.
   void improve(IntervalAStar& astar, Plan& plan);
 
  private:
   static constexpr int kTrials = 250;  ///< Of changes, an iteration.
 
   std::vector<PlanarPose> starts() const;
+  void search_next(IntervalAStar& astar, Plan& plan);
   void change_some();
 
   const FlightAir& air_;
@@ -65,6 +67,7 @@ class IntervalRun {
   Route before_;
   Stream random_;
   std::vector<FlightPath> paths_;  ///< The cheapest first.
+  bool in_flight_ = false;         ///< A way was added.
   std::size_t pass_ = 0;
   std::uint64_t rounds_ = 0;
 };
