@@ -1,4 +1,5 @@
 // Whole runs of `alate replan`.
+#include "golden.hpp"
 #include "program.hpp"
 
 namespace alate::test {
@@ -55,6 +56,17 @@ TEST_F(Replan, WritesWhatCheckJudgesAgain) {
   const Finished judged = alate({"check", out + "/result.json", "--json"});
   EXPECT_EQ(judged.code, 0) << judged.err;
   EXPECT_EQ(Json::parse(judged.out).at("metrics").at("length_m"), result.at("metrics").at("length_m"));
+}
+
+TEST_F(Replan, IsWhatItWas) {
+  const Finished done =
+      replan({"--at-s", "200", "--json", "--override",
+              "threats.3={name: new, lat: 36.300, lon: -84.235, agl_m: 0, radius_m: 900, core_m: 600}"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  Json result = lasting(Json::parse(done.out));
+  expect_contains(result.at("summary").get<std::string>(), {"now break threat_core"});
+  for (const char* key : {"route", "overrides"}) result.erase(key);  // Long; and numbers as text.
+  EXPECT_EQ(difference_from_golden(result, "replan"), "");
 }
 
 TEST_F(Replan, GoesOnFromAReplannedFlight) {
