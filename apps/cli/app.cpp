@@ -64,6 +64,7 @@ int parse_and_run(int argc, const char* const* argv) {
   app.allow_extras();
   Command command;
   add_plan(app, command);
+  add_replan(app, command);
   add_check(app, command);
   add_planners(app, command);
   add_reproduce(app, command);

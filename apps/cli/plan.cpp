@@ -1,23 +1,16 @@
 // alate plan: from a scenario to a checked route, shown and written.
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "alate/data/scenario_file.hpp"
-#include "alate/out/result.hpp"
 #include "commands.hpp"
+#include "deliver.hpp"
 #include "folder.hpp"
-#include "interrupt.hpp"
-#include "output.hpp"
 #include "progress_bar.hpp"
 
 namespace alate::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The command line as written.
 struct PlanLine {
@@ -133,40 +126,10 @@ Result solve(const Task& task, const PlanOptions& options) {
   RunContext run(executor, std::move(run_options));
   Plan plan = task.planner->planner.plan(problem_of(*task.world, options), run);
   const double wall_s = run.elapsed_s();
-  const Site& site = task.world->site();
-  Result result{
-      .site = site, .planner = *task.planner, .plan = std::move(plan), .wall_s = wall_s, .threads = options.threads};
-  result.metrics = measure(site, result.plan.route);
-  result.verdict = check(site, result.plan.route);
-  result.warnings = site.warnings;
+  Result result = result_of(task.world->site(), *task.planner, std::move(plan));
+  result.wall_s = wall_s;
+  result.threads = options.threads;
   return result;
-}
-
-/// A route that cannot be written is still shown: the fault becomes a warning, and the exit code.
-int write(const std::string& folder, Result& result) {
-  try {
-    write_results(folder, result);
-    return kDone;
-  } catch (const InputError& error) {
-    result.warnings.push_back(fmt::format("not written: {}", error.what()));
-    return kBadInput;
-  } catch (const std::exception& error) {
-    result.warnings.push_back(fmt::format("not written: {}", error.what()));
-    return kInternalFault;
-  }
-}
-
-void show(const Result& result, const PlanLine& line) {
-  if (line.json) {
-    fmt::print("{}\n", to_json(result));
-    return;
-  }
-  fmt::print("{}", describe(result));
-  if (result.files.empty()) return;
-  std::vector<std::string> names = result.files;
-  std::ranges::stable_partition(names, [](const std::string& name) { return name == "report.html"; });
-  fmt::print("Files, the report first:\n");
-  for (const std::string& name : names) fmt::print("  {}\n", (fs::path(*line.out) / name).string());
 }
 
 int plan(const PlanLine& line, FaultList faults) {
@@ -178,14 +141,7 @@ int plan(const PlanLine& line, FaultList faults) {
 
   options.run.stop = interrupt.token();
   Result result = solve(task, options);
-  const int written = line.out ? write(*line.out, result) : kDone;
-  show(result, line);
-  if (written != kDone) {
-    fmt::print(stderr, "alate: {}\n", result.warnings.back());
-    return written;
-  }
-  if (interrupt.requested()) return kInterrupted;
-  return !result.plan.route.empty() && result.verdict.ok() ? kDone : kNoGoodRoute;
+  return deliver(result, {.out = line.out, .json = line.json}, interrupt);
 }
 
 }  // namespace

@@ -9,4 +9,5 @@
 #include "alate/out/result.hpp"          // IWYU pragma: export
 #include "alate/plan/planner.hpp"        // IWYU pragma: export
 #include "alate/plan/registry.hpp"       // IWYU pragma: export
+#include "alate/plan/session.hpp"        // IWYU pragma: export
 #include "alate/world/world.hpp"         // IWYU pragma: export

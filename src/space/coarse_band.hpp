@@ -56,6 +56,18 @@ class CoarseBand {
   double floor_m(std::size_t cell) const { return floor_[cell]; }
   double layer_m(std::size_t cell) const { return (ceiling_[cell] - floor_[cell]) / (kLayers - 1); }
   double altitude(std::size_t cell, int layer) const { return floor_[cell] + layer * layer_m(cell); }
+  /// Looks at the threats anew where `threat`, which `world` has and the world before had not, may reach. Calls
+  /// changed(cell) for every such cell.
+  template <class Changed>
+  void add_threat(const World& world, const Threat& threat, const Changed& changed) {
+    const double reach = std::max(threat.radius_m, threat.core_m) + cell_m_;
+    for (std::size_t cell = 0; cell < size(); ++cell) {
+      if (blocked(cell) || (center(cell) - threat.center.head<2>()).squaredNorm() > reach * reach) continue;
+      sample_threat(world, cell);
+      changed(cell);
+    }
+  }
+
   /// Exposure per metre; infinite in a core.
   double threat(std::size_t cell, int layer) const { return threat_[cell * kLayers + static_cast<std::size_t>(layer)]; }
 

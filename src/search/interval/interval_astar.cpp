@@ -9,7 +9,7 @@ namespace alate {
 
 namespace {
 
-constexpr int kHeadings = 16;
+constexpr int kHeadings = BinPages::kHeadings;
 constexpr std::uint64_t kPollEvery = 64;
 
 Box2 area_of(const World& world) {
@@ -36,12 +36,18 @@ void cut_at_end(Track& track, const FlightEnd& end) {
 }
 
 IntervalAStar::IntervalAStar(const FlightCost& cost, const ClimbField& to_go)
-    : cost_(cost), to_go_(to_go), area_(area_of(cost.band().world())) {}
+    : cost_(&cost), to_go_(&to_go), area_(area_of(cost.band().world())) {}
+
+void IntervalAStar::turn_to(const FlightCost& cost, const ClimbField& to_go) {
+  cost_ = &cost;
+  to_go_ = &to_go;
+  area_ = area_of(cost.band().world());
+}
 
 double IntervalAStar::rest(const Node& node) const {
   const auto at = [&](double z) {
-    const double to_go = to_go_({node.pose.x, node.pose.y, z});
-    return to_go + cost_.climb_weight() * node.label.ascent_to(z);
+    const double to_go = (*to_go_)({node.pose.x, node.pose.y, z});
+    return to_go + cost_->climb_weight() * node.label.ascent_to(z);
   };
   return std::min({at(node.label.free), at(node.label.high), at(node.label.low)});
 }
@@ -50,12 +56,11 @@ std::uint32_t& IntervalAStar::bin_of(const PlanarPose& pose) {
   const auto column = std::clamp(static_cast<int>((pose.x - area_.min.x()) / options_.bin_m), 0, columns_ - 1);
   const auto row = std::clamp(static_cast<int>((pose.y - area_.min.y()) / options_.bin_m), 0, rows_ - 1);
   const int heading = static_cast<int>(std::lround(pose.heading / (2 * kPi) * kHeadings)) & (kHeadings - 1);
-  const int index = (row * columns_ + column) * kHeadings + heading;
-  return bins_[static_cast<std::size_t>(index)];
+  return bins_.at(column, row, heading);
 }
 
 bool IntervalAStar::is_dominated(std::uint32_t& bin, const Node& node) const {
-  const double weight = cost_.climb_weight();
+  const double weight = cost_->climb_weight();
   int count = 0;
   for (std::uint32_t i = bin; i != kNone; i = nodes_[i].next_in_bin, ++count) {
     const Node& other = nodes_[i];
@@ -76,17 +81,18 @@ void IntervalAStar::add(Node node) {
   if (is_dominated(bin, node)) return;
   node.next_in_bin = bin;
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  open_.push({node.cost + options_.epsilon * rest_cost, index});
+  open_.push_back({node.cost + options_.epsilon * rest_cost, index});
+  std::ranges::push_heap(open_, std::greater{});
   nodes_.push_back(node);
   bin = index;
 }
 
 void IntervalAStar::expand(std::uint32_t from) {
   for (const auto& [steering, length_m] : primitives_) {
-    Node next{.piece = {steering, nodes_[from].pose, length_m, cost_.band().radius_m()},
+    Node next{.piece = {steering, nodes_[from].pose, length_m, cost_->band().radius_m()},
               .label = nodes_[from].label,
               .parent = from};
-    const double step = cost_.advance(next.piece, next.label);
+    const double step = cost_->advance(next.piece, next.label);
     if (!next.label.alive()) continue;
     next.pose = next.piece.end();
     next.cost = nodes_[from].cost + step;
@@ -96,24 +102,31 @@ void IntervalAStar::expand(std::uint32_t from) {
 
 std::optional<Track> IntervalAStar::shot(std::uint32_t from, const FlightEnd& end) const {
   Track track;
-  append(track, shortest_dubins_to_point(nodes_[from].pose, end.place(), cost_.band().radius_m()));
+  append(track, shortest_dubins_to_point(nodes_[from].pose, end.place(), cost_->band().radius_m()));
   cut_at_end(track, end);
   AltitudeLabel label = nodes_[from].label;
   for (const PlanarPiece& piece : track)
-    if (!cost_.band().advance(piece, label)) return std::nullopt;
+    if (!cost_->band().advance(piece, label)) return std::nullopt;
   if (label.low > end.high() || label.high < end.low()) return std::nullopt;
   return track;
+}
+
+IntervalAStar::Open IntervalAStar::pop_open() {
+  std::ranges::pop_heap(open_, std::greater{});
+  const Open top = open_.back();
+  open_.pop_back();
+  return top;
 }
 
 void IntervalAStar::begin(const FlightStart& start) {
   columns_ = static_cast<int>((area_.max.x() - area_.min.x()) / options_.bin_m) + 1;
   rows_ = static_cast<int>((area_.max.y() - area_.min.y()) / options_.bin_m) + 1;
-  bins_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kHeadings, kNone);
+  bins_.clear(columns_, rows_);
   nodes_.clear();
-  open_ = {};
+  open_.clear();
   expansions_ = 0;
   using enum Steering;
-  const double arc = cost_.band().radius_m() * kPi / 8;
+  const double arc = cost_->band().radius_m() * kPi / 8;
   primitives_ = {{left, arc},
                  {right, arc},
                  {left, 2 * arc},
@@ -136,8 +149,7 @@ std::optional<Track> IntervalAStar::find(const FlightStart& start, const FlightE
   begin(start);
   std::uint64_t until_shot = 0;
   while (!open_.empty() && nodes_.size() < options.most_nodes) {
-    const std::uint32_t at = open_.top().node;
-    open_.pop();
+    const std::uint32_t at = pop_open().node;
     if (++expansions_ % kPollEvery == 0 && !run.keep_going()) break;
     if (until_shot-- == 0) {
       if (const auto last = shot(at, end)) {
@@ -147,7 +159,7 @@ std::optional<Track> IntervalAStar::find(const FlightStart& start, const FlightE
       }
       // The farther the goal, the rarer.
       const double distance = (end.place() - nodes_[at].pose.position()).norm();
-      until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * cost_.band().radius_m()), 0.0, 31.0));
+      until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * cost_->band().radius_m()), 0.0, 31.0));
     }
     expand(at);
   }

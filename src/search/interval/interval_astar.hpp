@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <queue>
 #include <vector>
 
 #include "alate/core/run_context.hpp"
 #include "alate/world/problem.hpp"
+#include "search/interval/bin_pages.hpp"
 #include "space/flight/climb_field.hpp"
 #include "space/flight/flight_cost.hpp"
 
@@ -42,11 +42,14 @@ struct IntervalSearchOptions {
   std::uint64_t most_nodes = 1'000'000;
 };
 
-/// Keeps its arrays between searches. Not for two threads at once.
+/// Keeps its arrays between searches: nodes, bins and queue. Not for two threads at once.
 class IntervalAStar {
  public:
-  /// All must outlive this.
+  /// All must outlive this, or the last search before `turn_to`.
   IntervalAStar(const FlightCost& cost, const ClimbField& to_go);
+
+  /// From now on searches another world, or by another guide.
+  void turn_to(const FlightCost& cost, const ClimbField& to_go);
 
   /// A track whose labels all live, to the end; nothing if none was found.
   std::optional<Track> find(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options,
@@ -55,7 +58,7 @@ class IntervalAStar {
   std::uint64_t expansions() const { return expansions_; }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::uint32_t kNone = BinPages::kNone;
   struct Node {
     PlanarPiece piece;  ///< That led here.
     PlanarPose pose;
@@ -71,6 +74,7 @@ class IntervalAStar {
   };
 
   void begin(const FlightStart& start);
+  Open pop_open();
   Track track_to(std::uint32_t node) const;
   void expand(std::uint32_t from);
   void add(Node node);
@@ -79,16 +83,16 @@ class IntervalAStar {
   double rest(const Node& node) const;
   std::optional<Track> shot(std::uint32_t from, const FlightEnd& end) const;
 
-  const FlightCost& cost_;
-  const ClimbField& to_go_;
+  const FlightCost* cost_;
+  const ClimbField* to_go_;
   IntervalSearchOptions options_;
   Box2 area_;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::uint32_t> bins_;
+  BinPages bins_;  ///< The last node that came to each.
   std::vector<Node> nodes_;
   std::vector<std::pair<Steering, double>> primitives_;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  std::vector<Open> open_;  ///< A heap, the least key in front.
   std::uint64_t expansions_ = 0;
 };
 

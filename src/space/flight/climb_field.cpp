@@ -35,11 +35,11 @@ constexpr std::array<std::array<int, 2>, 16> kNeighbours{{{1, 0},
 
 }  // namespace
 
-ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run)
-    : site_(world.site()),
+ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, std::optional<Vec3> until)
+    : site_(&world.site()),
       slopes_(slopes),
       band_(world, run),
-      climb_weight_(static_cast<float>(site_.scenario.objective.climb)),
+      climb_weight_(static_cast<float>(site_->scenario.objective.climb)),
       values_(band_.size() * kLayers, kNever),
       metre_cost_(band_.size() * kLayers, kNever) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -50,33 +50,40 @@ ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext
                  .climb_m = static_cast<float>(slopes.climb * length),
                  .descent_m = static_cast<float>(slopes.descent * length)};
   }
-  const ObjectiveSpec& weights = site_.scenario.objective;
   for (std::size_t cell = 0; cell < band_.size(); ++cell) {
     floor_.push_back(static_cast<float>(band_.floor_m(cell)));
     layer_m_.push_back(static_cast<float>(band_.layer_m(cell)));
-    for (int layer = 0; layer < kLayers && !band_.blocked(cell); ++layer)
-      metre_cost_[cell * kLayers + static_cast<std::size_t>(layer)] =
-          static_cast<float>(weights.length + weights.threat * band_.threat(cell, layer));
+    if (!band_.blocked(cell)) set_metre_cost(cell);
   }
   seed();
+  grow(run, until);
+}
+
+void ClimbField::set_metre_cost(std::size_t cell) {
+  const ObjectiveSpec& weights = site_->scenario.objective;
+  for (int layer = 0; layer < kLayers; ++layer)
+    metre_cost_[cell * kLayers + static_cast<std::size_t>(layer)] =
+        static_cast<float>(weights.length + weights.threat * band_.threat(cell, layer));
+}
+
+void ClimbField::grow(RunContext& run, std::optional<Vec3> until) {
   for (std::size_t pops = 1; !queue_.empty(); ++pops) {
-    if (pops % kPollEvery == 0 && !run.keep_going()) break;
+    if (pops % kPollEvery == 0 && (!run.keep_going() || is_known(until, queue_.top().value))) break;
     const Queued top = queue_.top();
     queue_.pop();
     if (top.value == values_[top.sample]) settle(top.sample);
   }
-  queue_ = {};
 }
 
 void ClimbField::seed() {
-  const double radius = std::max(site_.mission.tolerance_m, kSeedCells * band_.cell_m());
+  const double radius = std::max(site_->mission.tolerance_m, kSeedCells * band_.cell_m());
   for (std::size_t cell = 0; cell < band_.size(); ++cell) {
     const Vec2 center = band_.center(cell);
-    if (band_.blocked(cell) || (center - site_.mission.goal.head<2>()).norm() > radius) continue;
+    if (band_.blocked(cell) || (center - site_->mission.goal.head<2>()).norm() > radius) continue;
     for (int layer = 0; layer < kLayers; ++layer)
       if (metre_cost(cell, layer) < kNever)
         offer(cell, layer,
-              static_cast<float>(physical_bound(site_, {center.x(), center.y(), band_.altitude(cell, layer)})));
+              static_cast<float>(physical_bound(*site_, {center.x(), center.y(), band_.altitude(cell, layer)})));
   }
 }
 
@@ -153,8 +160,8 @@ float ClimbField::value_at(std::size_t cell, float z) const {
 }
 
 double ClimbField::operator()(const Vec3& position) const {
-  if ((position - site_.mission.goal).head<2>().norm() < kSeedCells * band_.cell_m())
-    return physical_bound(site_, position);
+  if ((position - site_->mission.goal).head<2>().norm() < kSeedCells * band_.cell_m())
+    return physical_bound(*site_, position);
   return band_.blend(position.head<2>(),
                      [&](std::size_t cell) { return double{value_at(cell, static_cast<float>(position.z()))}; });
 }

@@ -11,7 +11,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "alate/core/run_context.hpp"
@@ -22,8 +24,23 @@ namespace alate {
 
 class ClimbField {
  public:
-  /// For the physical objective. Stops early, with what it has, when `run` says so.
-  ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run);
+  /// For the physical objective, as far as `until`. Stops early, with what it has, when `run` says so. World must
+  /// outlive this.
+  ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, std::optional<Vec3> until = {});
+
+  /// Goes on as far as `until`, or everywhere. What is nearer to the goal than that is then known, and what is little
+  /// farther; beyond it the field is infinite.
+  void grow(RunContext& run, std::optional<Vec3> until = {});
+
+  /// Takes over to `world`, which has `added` threats more than the world before and differs in nothing else that
+  /// guides. What is nearer to the goal than any of them stays; the rest is forgotten and grows anew when asked for.
+  void add_threats(const World& world, std::span<const Threat> added);
+
+  /// Forgets all that has grown: the goal of its world is another one.
+  void aim_anew();
+
+  /// Grows no more beyond a circle.
+  void confine(const Vec2& center, double radius_m);
 
   /// Estimated cost from `position` to the goal; infinite where no way is seen.
   double operator()(const Vec3& position) const;
@@ -44,6 +61,10 @@ class ClimbField {
     float climb_m = 0, descent_m = 0;  ///< At most, on the way.
   };
 
+  void set_metre_cost(std::size_t cell);
+  bool is_known(const std::optional<Vec3>& until, float reached) const;
+  void forget_from(float least);
+  bool borders_forgotten(std::size_t cell) const;
   void seed();
   void settle(std::uint32_t sample);
   void relax(std::size_t cell, const Step& step, std::size_t to, int layer);
@@ -54,7 +75,7 @@ class ClimbField {
     return metre_cost_[cell * kLayers + static_cast<std::size_t>(layer)];
   }
 
-  const Site& site_;
+  const Site* site_;
   SlopeLimits slopes_;
   CoarseBand band_;
   float climb_weight_;

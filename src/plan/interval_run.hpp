@@ -1,0 +1,78 @@
+// The work of the interval search on one flight, whoever asks for it: the planner once, a Session again and again.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "search/interval/flight_path.hpp"
+#include "space/objective.hpp"
+
+namespace alate {
+
+/// One world, as flights through it are walked and judged. Its parts refer to each other, so it stays where it is.
+struct FlightAir {
+  explicit FlightAir(const World& of) : world(of) {}
+  FlightAir(const FlightAir&) = delete;
+  FlightAir& operator=(const FlightAir&) = delete;
+
+  World world;
+  BandWalk band{world};
+  FlightCost cost{band};
+  Objective objective{world};
+};
+
+/// Weight of the cost-to-go, and width of bins in their usual width.
+struct IntervalPass {
+  double epsilon = 2.5;
+  double bin = 1;
+  std::uint64_t most_nodes = 1'000'000;
+};
+
+/// Ways from one start to one goal, and the best flight over them. An iteration is a search, or a round of changes to a
+/// way that is known.
+class IntervalRun {
+ public:
+  static constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
+  static constexpr IntervalPass kHasty{2.5, 1};
+
+  /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
+  IntervalRun(const FlightAir& air, const Mission& mission, RunContext& run, Route before = {});
+
+  /// The end of the flight, with the usual share of the goal's ball spent on altitude.
+  FlightEnd end() const;
+
+  /// Takes a way that was found elsewhere, which must lead from the start into the goal's ball. False, and nothing is
+  /// taken, where no altitudes keep the band.
+  bool add(const Track& track);
+  /// The same, for a way that one search finds. Its expansions are counted in `plan`.
+  bool search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan);
+
+  /// Altitudes for the way that seems best; into `plan` if it is better than what is there.
+  void fly_best(Plan& plan);
+
+  /// Searches, then changes what was found, until the budget is used. Where a way was added, as in flight, searches
+  /// take turns with changes and none may be long.
+  void improve(IntervalAStar& astar, Plan& plan);
+
+ private:
+  static constexpr int kTrials = 250;  ///< Of changes, an iteration.
+
+  std::vector<PlanarPose> starts() const;
+  void search_next(IntervalAStar& astar, Plan& plan);
+  void change_some();
+
+  const FlightAir& air_;
+  Mission mission_;
+  RunContext& run_;
+  Route before_;
+  Stream random_;
+  std::vector<FlightPath> paths_;  ///< The cheapest first.
+  bool in_flight_ = false;         ///< A way was added.
+  std::size_t pass_ = 0;
+  std::uint64_t rounds_ = 0;
+};
+
+/// Outcome, counters and words of a run that has ended.
+void conclude(Plan& plan, const RunContext& run);
+
+}  // namespace alate

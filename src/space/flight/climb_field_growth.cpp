@@ -1,0 +1,76 @@
+// How far a field has grown, and what of it outlives a new threat.
+#include <algorithm>
+
+#include "space/flight/climb_field.hpp"
+
+namespace alate {
+
+bool ClimbField::is_known(const std::optional<Vec3>& until, float reached) const {
+  // A search looks a little behind it, too.
+  constexpr double kBeyond = 1.0;
+  constexpr double kCellsBeyond = 2;
+  if (!until) return false;
+  const double there = (*this)(*until);
+  const double margin = kCellsBeyond * band_.cell_m() * site_->scenario.objective.length;
+  return double{reached} > kBeyond * there + margin;
+}
+
+void ClimbField::add_threats(const World& world, std::span<const Threat> added) {
+  site_ = &world.site();
+  float least = std::numeric_limits<float>::infinity();
+  for (const Threat& threat : added)
+    band_.add_threat(world, threat, [&](std::size_t cell) {
+      set_metre_cost(cell);
+      const auto first = values_.begin() + static_cast<std::ptrdiff_t>(cell * kLayers);
+      least = std::min(least, *std::min_element(first, first + kLayers));
+    });
+  if (least == std::numeric_limits<float>::infinity()) return;
+  forget_from(least);
+  seed();
+}
+
+void ClimbField::aim_anew() {
+  std::ranges::fill(values_, std::numeric_limits<float>::infinity());
+  queue_ = {};
+  seed();
+}
+
+void ClimbField::confine(const Vec2& center, double radius_m) {
+  for (std::size_t cell = 0; cell < band_.size(); ++cell) {
+    if ((band_.center(cell) - center).squaredNorm() <= radius_m * radius_m) continue;
+    const auto first = metre_cost_.begin() + static_cast<std::ptrdiff_t>(cell * kLayers);
+    std::fill(first, first + kLayers, std::numeric_limits<float>::infinity());
+  }
+}
+
+/// A way of a sample that costs less does not lead through a cell that has changed.
+void ClimbField::forget_from(float least) {
+  for (float& value : values_)
+    if (value >= least) value = std::numeric_limits<float>::infinity();
+  queue_ = {};
+  for (std::size_t cell = 0; cell < band_.size(); ++cell) {
+    if (band_.blocked(cell) || !borders_forgotten(cell)) continue;
+    for (std::size_t sample = cell * kLayers; sample < (cell + 1) * kLayers; ++sample)
+      if (values_[sample] < least) queue_.push({values_[sample], static_cast<std::uint32_t>(sample)});
+  }
+}
+
+bool ClimbField::borders_forgotten(std::size_t cell) const {
+  const auto any_forgotten = [&](std::size_t at) {
+    const auto first = values_.begin() + static_cast<std::ptrdiff_t>(at * kLayers);
+    return std::any_of(first, first + kLayers, [](float value) { return std::isinf(value); });
+  };
+  if (any_forgotten(cell)) return true;
+  const int columns = band_.columns();
+  const int column = static_cast<int>(cell) % columns;
+  const int row = static_cast<int>(cell) / columns;
+  return std::ranges::any_of(steps_, [&](const Step& step) {
+    const int c = column + step.column;
+    const int r = row + step.row;
+    if (c < 0 || r < 0 || c >= columns || r >= band_.rows()) return false;
+    const auto at = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c);
+    return !band_.blocked(at) && any_forgotten(at);
+  });
+}
+
+}  // namespace alate
