@@ -128,12 +128,24 @@ std::size_t clean(std::vector<float>& posts, GDALRasterBand& band, double to_met
   return voids;
 }
 
+/// Some rows at a time, so that GDAL does not keep a second copy of a large raster among its blocks.
 bool read_posts(GDALRasterBand& band, HeightRaster& raster) {
+  constexpr int kRows = 512;
   raster.posts.resize(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  int block_columns = 0;
+  int block_rows = 0;
+  band.GetBlockSize(&block_columns, &block_rows);
+  const int step = std::max(1, kRows / block_rows) * block_rows;
   CPLErrorReset();
-  const CPLErr error = band.RasterIO(GF_Read, 0, 0, raster.columns, raster.rows, raster.posts.data(), raster.columns,
-                                     raster.rows, GDT_Float32, 0, 0, nullptr);
-  return error == CE_None && CPLGetLastErrorType() < CE_Failure;
+  for (int row = 0; row < raster.rows; row += std::min(step, raster.rows - row)) {
+    const int rows = std::min(step, raster.rows - row);
+    float* posts = &raster.posts[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns)];
+    const CPLErr error =
+        band.RasterIO(GF_Read, 0, row, raster.columns, rows, posts, raster.columns, rows, GDT_Float32, 0, 0, nullptr);
+    if (error != CE_None || CPLGetLastErrorType() >= CE_Failure) return false;
+    band.FlushCache(false);
+  }
+  return true;
 }
 
 }  // namespace

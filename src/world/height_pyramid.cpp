@@ -25,16 +25,22 @@ HeightPyramid::Level HeightPyramid::finest(const HeightRaster& raster) {
   const auto cell_columns = static_cast<std::size_t>(raster.columns - 1);
   const auto cell_rows = static_cast<std::size_t>(raster.rows - 1);
   Level level{blocks_for(cell_columns), blocks_for(cell_rows), {}};
-  level.ranges.assign(level.columns * level.rows, kNothing);
-  for (std::size_t row = 0; row <= cell_rows; ++row) {
-    for (std::size_t column = 0; column <= cell_columns; ++column) {
-      const float post = raster.posts[row * (cell_columns + 1) + column];
-      const Range range = std::isnan(post) ? Range{-kInfinity, kInfinity} : Range{post, post};
-      // A post on the border of two blocks belongs to both.
-      for (std::size_t j = (row == 0 ? 0 : row - 1) / kBlock; j <= std::min(row / kBlock, level.rows - 1); ++j)
-        for (std::size_t i = (column == 0 ? 0 : column - 1) / kBlock; i <= std::min(column / kBlock, level.columns - 1);
-             ++i)
-          include(level.ranges[j * level.columns + i], range);
+  level.ranges.reserve(level.columns * level.rows);
+  // A post on the border of two blocks belongs to both.
+  for (std::size_t j = 0; j < level.rows; ++j) {
+    const std::size_t row_end = std::min((j + 1) * kBlock, cell_rows);
+    for (std::size_t i = 0; i < level.columns; ++i) {
+      const std::size_t column_end = std::min((i + 1) * kBlock, cell_columns);
+      Range range = kNothing;
+      bool unknown = false;
+      for (std::size_t row = j * kBlock; row <= row_end; ++row)
+        for (std::size_t column = i * kBlock; column <= column_end; ++column) {
+          const float post = raster.posts[row * (cell_columns + 1) + column];
+          unknown |= std::isnan(post);
+          range.low = std::min(range.low, post);
+          range.high = std::max(range.high, post);
+        }
+      level.ranges.push_back(unknown ? Range{-kInfinity, kInfinity} : range);
     }
   }
   return level;

@@ -44,6 +44,7 @@ const std::map<std::string, Site>& problems() {
     all.emplace("voxels", test::voxel_site(test::drawn_voxels({30, 20, 25}, 25, random)));
     const std::string jacksboro = ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml";
     if (std::filesystem::exists(jacksboro)) all.emplace("jacksboro", load_site(load_scenario(jacksboro)));
+    all.emplace("canyon", load_site(load_scenario(ALATE_SOURCE_DIR "/examples/worlds/canyon-wide.yaml")));
     return all;
   }();
   return kProblems;

@@ -79,6 +79,34 @@ TEST(IntervalFlight, KeepsWhatTheCheckAsksInOpenAir) {
   EXPECT_GT(expect_lives_as_checked(test::open_air_site(), 3), 20);
 }
 
+/// An arc bulges beyond its chords: by however little, it must not come over unknown ground, nor leave the ground.
+TEST(IntervalFlight, NoArcBulgesOverUnknownGround) {
+  for (const bool voids : {true, false}) {
+    Site site = test::ridge_site();
+    auto& raster = std::get<HeightRaster>(site.ground);
+    for (int row = 0; voids && row < raster.rows; ++row)
+      raster.posts[static_cast<std::size_t>(row * raster.columns + 30)] = std::numeric_limits<float>::quiet_NaN();
+    raster.voids = voids ? static_cast<std::size_t>(raster.rows) : 0;
+    const double line_m = voids ? 2900 : 10000;
+    const World world(site);
+    const BandWalk band(world);
+    const double radius_m = band.radius_m();
+    int flown = 0;
+    for (int offset_cm = -20; offset_cm <= 5; ++offset_cm)
+      for (int phase = 0; phase < 20; ++phase) {
+        const double angle = -kPi / 4 - 0.004 * phase;
+        const Vec2 center(line_m + 0.01 * offset_cm - radius_m, 2000);
+        const Vec2 at = center + radius_m * Vec2(std::cos(angle), std::sin(angle));
+        AltitudeLabel label{.low = 60, .high = 200, .free = 60};
+        const PlanarPose pose = planar_pose(at.x(), at.y(), angle + kPi / 2);
+        if (!band.advance({Steering::left, pose, 2 * radius_m, radius_m}, label)) continue;
+        ++flown;
+        EXPECT_LT(offset_cm, 0) << "phase " << phase << (voids ? " at voids" : " at the edge");
+      }
+    EXPECT_GT(flown, 20);
+  }
+}
+
 TEST(IntervalFlight, KeepsWhatTheCheckAsksOverHills) {
   Site site = test::ridge_site();
   PeakGround hills{.peaks = {}, .maximum = false, .area = {.min = {0, 0}, .max = {10000, 8000}}};
@@ -136,6 +164,18 @@ TEST(IntervalAStar, FindsNoWayThroughAWallWithoutAGap) {
   const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 10});
   EXPECT_EQ(plan.outcome, Outcome::none_found);
   EXPECT_FALSE(plan.why.empty());
+}
+
+/// Bins follow the turn radius only as far as memory goes.
+TEST(IntervalAStar, FliesTheTightestAndTheWidestTurns) {
+  for (const double radius_m : {0.01, 0.5, 1e6}) {
+    Site site = test::ridge_site();
+    site.vehicle.turn_radius_m = radius_m;
+    const World world(site);
+    const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 2, .time_limit_s = 2});
+    if (plan.route.empty()) continue;
+    EXPECT_TRUE(check(site, plan.route).ok()) << radius_m;
+  }
 }
 
 /// Without a heading at the start, it begins as suits it best.

@@ -146,6 +146,9 @@ Track IntervalAStar::track_to(std::uint32_t node) const {
 std::optional<Track> IntervalAStar::find(const FlightStart& start, const FlightEnd& end,
                                          const IntervalSearchOptions& options, RunContext& run) {
   options_ = options;
+  // A tiny turn radius or a vast ground would ask for more bins than memory holds.
+  constexpr double kMostAcross = 2048;
+  options_.bin_m = std::max(options.bin_m, (area_.max - area_.min).maxCoeff() / kMostAcross);
   begin(start);
   std::uint64_t until_shot = 0;
   while (!open_.empty() && nodes_.size() < options.most_nodes) {

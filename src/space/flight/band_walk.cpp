@@ -47,7 +47,10 @@ BandWalk::BandWalk(const World& world)
   most_chord_m_ = 2 * radius_m_ * std::acos(std::max(-1.0, 1 - kSagitta_m / radius_m_));
   if (peaks_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * peaks_->steepness();
   // Posts may lie closer along one axis than the mean tells: twice as close is more than any raster on Earth has.
-  if (raster_ != nullptr) arc_margin_m_ = 2 * kSagitta_m * 2 * steepness(*raster_) / raster_->cell_m;
+  if (raster_ != nullptr) {
+    arc_margin_posts_ = 2 * kSagitta_m * 2 / raster_->cell_m;
+    arc_margin_m_ = arc_margin_posts_ * steepness(*raster_);
+  }
   clearance_m_ = site.band.clearance_m + kSpareHeight_m;
   if (peaks_ != nullptr) peak_slope_ = peaks_->steepness();
   if (site.band.ceiling_agl_m && site.has_ground()) ceiling_agl_m_ = *site.band.ceiling_agl_m - kSpareHeight_m;
@@ -69,6 +72,20 @@ bool BandWalk::is_near_core(const PlanarPiece& piece) const {
   });
 }
 
+bool BandWalk::is_known_beside(const Vec2& from, const Vec2& to) const {
+  const Vec2 beside = Vec2::Constant(arc_margin_posts_);
+  const Vec2 low = from.cwiseMin(to) - beside;
+  const Vec2 high = from.cwiseMax(to) + beside;
+  if (!raster_->covers(low) || !raster_->covers(high)) return false;
+  if (raster_->voids == 0) return true;
+  const int last_column = std::min(static_cast<int>(high.x()) + 1, raster_->columns - 1);
+  const int last_row = std::min(static_cast<int>(high.y()) + 1, raster_->rows - 1);
+  for (int row = static_cast<int>(low.y()); row <= last_row; ++row)
+    for (int column = static_cast<int>(low.x()); column <= last_column; ++column)
+      if (std::isnan(raster_->post(column, row))) return false;
+  return true;
+}
+
 BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   BandPiece band{.length_m = chord.length_m * (span.t_to - span.t_from),
@@ -77,12 +94,13 @@ BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const 
                  .ceiling_from = ceiling_amsl_m_,
                  .ceiling_to = ceiling_amsl_m_};
   if (raster_ != nullptr || peaks_ != nullptr) {
-    const double up = std::max(0.0, span.bulge) + chord.margin_m + clearance_m_;
+    const double margin = chord.is_arc ? arc_margin_m_ : 0;
+    const double up = std::max(0.0, span.bulge) + margin + clearance_m_;
     const double both = peaks_ != nullptr ? std::max(0.0, span.bulge) : std::max(0.0, -span.bulge);
     band.floor_from = span.from + up;
     band.floor_to = span.to + up;
-    band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - chord.margin_m);
-    band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - chord.margin_m);
+    band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - margin);
+    band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - margin);
   }
   if (chord.near_core) close_cores(chord, span, band);
   return band;

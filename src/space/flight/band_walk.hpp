@@ -51,7 +51,7 @@ class BandWalk {
     Vec2 chord = motion.chord_m * turned(piece.start.direction(), motion);
     for (int k = 0; k < count; ++k) {
       const Vec2 next = at + chord;
-      if (!follow_chord({at, next, step_m, is_arc ? arc_margin_m_ : 0, near_core}, visit)) return false;
+      if (!follow_chord({at, next, step_m, is_arc, near_core}, visit)) return false;
       at = next;
       if (is_arc) chord = turned(turned(chord, motion), motion);
     }
@@ -71,7 +71,7 @@ class BandWalk {
   struct Chord {
     Vec2 from, to;
     double length_m;
-    double margin_m;
+    bool is_arc;
     bool near_core;
   };
   /// Ground between two straight lines, t in [0, 1] of a chord.
@@ -106,6 +106,8 @@ class BandWalk {
     return {v.x() * motion.half_cos - v.y() * motion.half_sin, v.x() * motion.half_sin + v.y() * motion.half_cos};
   }
   bool is_near_core(const PlanarPiece& piece) const;
+  /// Is all ground known that other chords of the same arc may come to? A straight stretch, in post coordinates.
+  bool is_known_beside(const Vec2& from, const Vec2& to) const;
   BandPiece band_over(const Chord& chord, const GroundSpan& span) const;
   void close_cores(const Chord& chord, const GroundSpan& span, BandPiece& band) const;
 
@@ -123,6 +125,7 @@ class BandWalk {
   SlopeLimits slopes_;
   double most_chord_m_ = 0;
   double arc_margin_m_ = 0;
+  double arc_margin_posts_ = 0;
   double clearance_m_ = 0;
   double ceiling_agl_m_ = std::numeric_limits<double>::infinity();
   double ceiling_amsl_m_ = std::numeric_limits<double>::infinity();
@@ -138,7 +141,7 @@ bool BandWalk::follow_raster(const Chord& chord, const Visit& visit) const {
   for (double t = 0; t < 1;) {
     const double t_to = raster.map.straight_until(chord.from, chord.to, t);
     const Vec2 to = raster.map(t_to < 1 ? Vec2(chord.from + t_to * (chord.to - chord.from)) : chord.to);
-    if (!raster.covers(to)) return false;
+    if (!raster.covers(to) || (chord.is_arc && !is_known_beside(from, to))) return false;
     CellWalk walk({.from = from, .to = to}, raster.columns - 1, raster.rows - 1);
     for (bool inside = true; inside;) {
       const CellWalk::Exit exit = walk.exit(0);
@@ -173,11 +176,15 @@ template <class Visit>
 bool BandWalk::follow_smooth(const Chord& chord, const Visit& visit) const {
   constexpr double kPiece_m = 4;
   const int count = std::max(1, static_cast<int>(std::ceil(chord.length_m / kPiece_m)));
+  const double beside_m = chord.is_arc ? 2 * kSagitta_m : 0;
+  const auto on_ground = [&](const Vec2& at) {
+    return peaks_->area.contains(at - Vec2::Constant(beside_m)) && peaks_->area.contains(at + Vec2::Constant(beside_m));
+  };
   for (int k = 0; k < count; ++k) {
     GroundSpan span{.t_from = static_cast<double>(k) / count, .t_to = static_cast<double>(k + 1) / count};
     if (peaks_ != nullptr) {
       const auto place = [&](double t) { return Vec2(chord.from + t * (chord.to - chord.from)); };
-      if (!peaks_->area.contains(place(span.t_from)) || !peaks_->area.contains(place(span.t_to))) return false;
+      if (!on_ground(place(span.t_from)) || !on_ground(place(span.t_to))) return false;
       span.from = peaks_->height(place(span.t_from));
       span.to = peaks_->height(place(span.t_to));
       span.bulge = std::max(0.0, peak_slope_ * chord.length_m / count - std::abs(span.to - span.from)) / 2;
