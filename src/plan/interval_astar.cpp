@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "plan/flight_bound.hpp"
 #include "plan/flight_planners.hpp"
 #include "search/interval/flight_path.hpp"
 #include "search/interval/flight_profile.hpp"
@@ -52,6 +53,8 @@ class IntervalRun {
       }
       std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
       if (!paths_.empty()) fly_best(plan);
+      if (run_.iterations() == 1) note_bound(problem_, run_, plan);
+      if (plan.outcome == Outcome::infeasible_proven) return;
     }
   }
 
@@ -116,13 +119,14 @@ struct IntervalPlanner {
       plan.outcome = Outcome::feasible;
       plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
     } else {
-      IntervalRun(problem, run).improve(plan);
+      note_barrier(problem, run, plan);
+      if (plan.outcome != Outcome::infeasible_proven) IntervalRun(problem, run).improve(plan);
     }
     plan.counters["iterations"] = run.iterations();
     plan.stop = run.stop();
     const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
     plan.reproducible = !stopped;
-    if (plan.route.empty())
+    if (plan.route.empty() && plan.why.empty())
       plan.why =
           stopped ? "stopped before any route was found" : "no string of arcs and straight pieces leads to the goal";
     return plan;
