@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plan/place_name.hpp"
+#include "search/interval/any_angle_bound.hpp"
 #include "space/bound/bottleneck.hpp"
 #include "space/bound/first_turn.hpp"
 
@@ -59,9 +60,11 @@ void note_barrier(const Problem& problem, RunContext& run, Plan& plan) {
   if (problem.world.site().has_ground()) note_barrier(problem, kFirstCells, run, plan);
 }
 
-void note_bound(const Problem& problem, RunContext& run, Plan& plan) {
+void note_bound(const Problem& problem, BoundEffort effort, RunContext& run, Plan& plan) {
   if (!problem.world.site().has_ground()) return;
   plan.lower_bound = std::max(plan.lower_bound, bottleneck(problem, {}, run).cost);
+  if (effort == BoundEffort::tight && !plan.route.empty())
+    plan.lower_bound = any_angle_bound(problem, {.least = plan.lower_bound, .most = plan.cost}, run);
   if (plan.route.empty()) note_barrier(problem, kProofCells, run, plan);
 }
 

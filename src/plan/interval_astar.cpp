@@ -29,8 +29,9 @@ constexpr int kTrials = 250;               ///< Of changes, an iteration.
 /// that one of them found.
 class IntervalRun {
  public:
-  IntervalRun(const Problem& problem, RunContext& run)
+  IntervalRun(const Problem& problem, BoundEffort effort, RunContext& run)
       : problem_(problem),
+        effort_(effort),
         run_(run),
         band_(problem.world),
         cost_(band_),
@@ -53,7 +54,7 @@ class IntervalRun {
       }
       std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
       if (!paths_.empty()) fly_best(plan);
-      if (run_.iterations() == 1) note_bound(problem_, run_, plan);
+      if (run_.iterations() == 1) note_bound(problem_, effort_, run_, plan);
       if (plan.outcome == Outcome::infeasible_proven) return;
     }
   }
@@ -98,6 +99,7 @@ class IntervalRun {
   }
 
   const Problem& problem_;
+  BoundEffort effort_;
   RunContext& run_;
   BandWalk band_;
   FlightCost cost_;
@@ -112,7 +114,9 @@ class IntervalRun {
 };
 
 struct IntervalPlanner {
-  static Plan plan(const Problem& problem, RunContext& run) {
+  BoundEffort effort = BoundEffort::quick;
+
+  Plan plan(const Problem& problem, RunContext& run) const {
     const Mission& mission = problem.mission;
     Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
     if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
@@ -120,7 +124,7 @@ struct IntervalPlanner {
       plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
     } else {
       note_barrier(problem, run, plan);
-      if (plan.outcome != Outcome::infeasible_proven) IntervalRun(problem, run).improve(plan);
+      if (plan.outcome != Outcome::infeasible_proven) IntervalRun(problem, effort, run).improve(plan);
     }
     plan.counters["iterations"] = run.iterations();
     plan.stop = run.stop();
@@ -150,10 +154,17 @@ PlannerEntry interval_astar_entry() {
   return {.name = "interval-astar",
           .help = "Dubins pieces over real ground, altitudes as intervals; then bettered until the time is up.",
           .can = {.anytime = true, .deterministic = false, .terrain = true, .threats = true, .space = "Dubins flight"},
-          .presets = {{.name = "default", .help = "It has no parameters."}},
-          .parameters = ParamTable(std::vector<Parameter>{}),
+          .presets = {{.name = "default", .help = "As the table says."}},
+          .parameters = ParamTable(
+              {{.name = "bound",
+                .default_value = std::string("quick"),
+                .choices = {"quick", "tight"},
+                .help = "Work on the lower bound: about 10 ms, or about a second of the time there is (--bound).",
+                .source = "alate"}}),
           .refuses = refusal,
-          .make = [](const ParamValues&) { return Planner(IntervalPlanner{}); }};
+          .make = [](const ParamValues& values) {
+            return Planner(IntervalPlanner{values.text("bound") == "tight" ? BoundEffort::tight : BoundEffort::quick});
+          }};
 }
 
 }  // namespace alate

@@ -5,6 +5,7 @@
 
 #include "alate/check/check.hpp"
 #include "alate/data/scenario_file.hpp"
+#include "search/interval/any_angle_bound.hpp"
 #include "search/interval/flight_profile.hpp"
 #include "space/objective.hpp"
 #include "support/drawn_track.hpp"
@@ -20,9 +21,16 @@ double bound_of(const World& world) {
   Executor executor;
   RunContext run(executor, {});
   Plan plan;
-  note_bound(Problem(world), run, plan);
+  note_bound(Problem(world), BoundEffort::quick, run, plan);
   EXPECT_NE(plan.outcome, Outcome::infeasible_proven) << plan.why;
   return plan.lower_bound;
+}
+
+/// Told nothing of the route, so that only the proof keeps it low.
+double tight_bound_of(const World& world, double most) {
+  Executor executor;
+  RunContext run(executor, {});
+  return any_angle_bound(Problem(world), {.most = most, .most_cells = 5000}, run);
 }
 
 /// Random flights, each compared with the bound of the problem of getting from where it begins to where it ends.
@@ -48,7 +56,9 @@ int expect_below_drawn_flights(Site site, std::uint64_t seed, int trials) {
     const auto route = fly_track(band, track, other.mission.start, {.goal = other.mission.goal, .tolerance_m = 0});
     if (!route || !check(other, *route).ok()) continue;
     ++flown;
-    EXPECT_LE(bound_of(World(other)), measure(other, *route).cost) << trial;
+    const double cost = measure(other, *route).cost;
+    EXPECT_LE(bound_of(World(other)), cost) << trial;
+    EXPECT_LE(tight_bound_of(World(other), 3 * cost), cost) << trial;
   }
   return flown;
 }
@@ -71,6 +81,27 @@ TEST(FlightBound, IsBelowRoutesThatArePlanned) {
     EXPECT_LE(plan.lower_bound, measure(site, plan.route).cost) << seed;
   }
   EXPECT_GT(found, 2);
+}
+
+/// A plain with two walls that cannot be flown over, the first open in the north and the second in the south.
+TEST(AnyAngleBound, WindsBetweenWalls) {
+  Site site = test::ridge_site();
+  site.ground = test::raster_of(101, 81, 100, [](double x, double y) {
+    const bool first = std::abs(x - 3000) < 150 && y < 6050;
+    const bool second = std::abs(x - 7000) < 150 && y > 1950;
+    return first || second ? 1000.0 : 0.0;
+  });
+  site.mission.goal.y() = 6000;
+  const World world(site);
+  const double shortest = 2 * std::hypot(2000, 4000) + std::hypot(4000, 4000) - site.mission.tolerance_m;
+  const double bound = tight_bound_of(world, 3 * shortest);
+  EXPECT_LT(bound, shortest + 200);
+  EXPECT_GT(bound, shortest - 600);
+  const Plan quick = test::fly(world, {.name = "interval-astar"}, {.iterations = 2});
+  const Plan tight =
+      test::fly(world, {.name = "interval-astar", .settings = {{.name = "bound", .text = "tight"}}}, {.iterations = 2});
+  EXPECT_GT(tight.lower_bound, 1.2 * quick.lower_bound);
+  EXPECT_LE(tight.lower_bound, tight.cost);
 }
 
 Plan interval_plan(const Site& site) { return test::fly(site, {.name = "interval-astar"}, {.iterations = 10}); }

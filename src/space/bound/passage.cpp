@@ -46,6 +46,11 @@ double Passage::price(const Box2& box, const Altitudes& open) const {
   return *std::ranges::max_element(least);
 }
 
+double Passage::least(double planar_m) const {
+  const std::array<double, 3> all = prices({.to_goal_m = planar_m}, mission_.start.z());
+  return *std::ranges::max_element(all);
+}
+
 bool Passage::ends_at(const Box2& box, const Altitudes& open) const {
   return distance_to(box, mission_.goal.head<2>()) <= mission_.tolerance_m && open.overlap(goal_);
 }

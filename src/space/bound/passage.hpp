@@ -17,6 +17,8 @@ class Passage {
 
   /// The least over the places of `box`, which may have no width, and the altitudes `open`, of which there are some.
   double price(const Box2& box, const Altitudes& open) const;
+  /// Of a flight that is at least so long seen from above.
+  double least(double planar_m) const;
   bool ends_at(const Box2& box, const Altitudes& open) const;
 
  private:
