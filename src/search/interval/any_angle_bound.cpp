@@ -13,7 +13,6 @@ namespace alate {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Part of the bound within which its level is found.
 constexpr double kNear = 1e-3;
 /// Part of a length by which Anya's ties and rounding may have made it too long.
@@ -27,23 +26,22 @@ class AnyAngleBound {
         air_(problem.world.site()),
         passage_(problem),
         plane_(problem.world.site(), air_.area(), options.most_cells),
-        least_price_(plane_.size(), kInfinity) {}
+        least_price_(plane_.size(), kUnseen) {}
 
   /// The least price of the sides of each cell; 0 where the flight may begin or end. False if stopped.
   bool price_cells(RunContext& run) {
     for (int cell = 0; cell < plane_.cells(); ++cell) {
       if (cell % kPollEvery == 0 && !run.keep_going()) return false;
-      const Box2 box = plane_.box(cell);
-      if (distance_to(box, problem_.mission.goal.head<2>()) <= problem_.mission.tolerance_m) price(cell) = 0;
-      const bool is_open = air_.over(box).any();
-      for (const CellPlane::Side& side : plane_.sides_behind(cell)) {
-        const Altitudes open = air_.along(side.line.min, side.line.max);
-        if (!open.any()) continue;
-        const double here = passage_.price(side.line, open);
-        if (is_open) price(cell) = std::min(price(cell), here);
-        if (air_.over(plane_.box(side.other)).any()) price(side.other) = std::min(price(side.other), here);
-      }
+      if (!air_.over(plane_.box(cell)).any()) least_price_[static_cast<std::size_t>(cell)] = kClosed;
     }
+    for (int cell = 0; cell < plane_.cells(); ++cell) {
+      if (cell % kPollEvery == 0 && !run.keep_going()) return false;
+      if (price(cell) == kClosed) continue;
+      plane_.for_sides_behind(cell, [&](const CellPlane::Side& side) { price_side(cell, side); });
+    }
+    for (int cell = 0; cell < plane_.cells(); ++cell)
+      if (distance_to(plane_.box(cell), problem_.mission.goal.head<2>()) <= problem_.mission.tolerance_m)
+        price(cell) = 0;
     price(plane_.cell_at(problem_.mission.start.head<2>())) = 0;
     return true;
   }
@@ -58,13 +56,24 @@ class AnyAngleBound {
     const Vec2 goal = problem_.mission.goal.head<2>();
     const AnyAngleWay way = anya.find(place(start), place(goal), run);
     if (!way.finished) return 0;
-    if (!way.found) return kInfinity;
+    if (!way.found) return std::numeric_limits<double>::infinity();
     // Its ends are the middles of cells, and all cells of the goal's disc are free.
     const double spare = offset(start) + offset(goal) + problem_.mission.tolerance_m;
     return passage_.least(std::max(0.0, way.length * (1 - kRounding) * plane_.cell_m() - spare));
   }
 
  private:
+  static constexpr double kUnseen = std::numeric_limits<double>::max();
+  static constexpr double kClosed = std::numeric_limits<double>::infinity();
+
+  void price_side(int cell, const CellPlane::Side& side) {
+    if (price(side.other) == kClosed) return;
+    const Altitudes open = air_.along(side.line.min, side.line.max);
+    if (!open.any()) return;
+    const double here = passage_.price(side.line, open);
+    price(cell) = std::min(price(cell), here);
+    price(side.other) = std::min(price(side.other), here);
+  }
   double& price(int cell) { return least_price_[static_cast<std::size_t>(cell)]; }
   GridPlace place(const Vec2& at) const {
     const int cell = plane_.cell_at(at);

@@ -68,7 +68,7 @@ class MinimaxSearch {
   }
 
   void spread(int cell) {
-    for (const CellPlane::Side& side : plane_.sides(cell)) cross(side);
+    plane_.for_sides(cell, [&](const CellPlane::Side& side) { cross(side); });
   }
 
   /// Who passes through a corner crosses two sides there.

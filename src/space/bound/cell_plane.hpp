@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
-#include <vector>
 
 #include "alate/data/site.hpp"
 
@@ -46,24 +45,22 @@ class CellPlane {
     return row * columns_ + column;
   }
 
-  /// Towards high x and high y.
-  std::vector<Side> sides_behind(int cell) const {
+  /// Calls visit(Side) for those towards high x and high y.
+  template <class Visit>
+  void for_sides_behind(int cell, const Visit& visit) const {
     const Box2 here = box(cell);
-    std::vector<Side> sides;
     if (cell % columns_ + 1 < columns_)
-      sides.push_back({{.min = Vec2(here.max.x(), here.min.y()), .max = here.max}, cell + 1});
+      visit(Side{{.min = Vec2(here.max.x(), here.min.y()), .max = here.max}, cell + 1});
     if (cell / columns_ + 1 < rows_)
-      sides.push_back({{.min = Vec2(here.min.x(), here.max.y()), .max = here.max}, cell + columns_});
-    return sides;
+      visit(Side{{.min = Vec2(here.min.x(), here.max.y()), .max = here.max}, cell + columns_});
   }
-  /// All.
-  std::vector<Side> sides(int cell) const {
+  /// For all.
+  template <class Visit>
+  void for_sides(int cell, const Visit& visit) const {
     const Box2 here = box(cell);
-    std::vector<Side> sides = sides_behind(cell);
-    if (cell % columns_ > 0) sides.push_back({{.min = here.min, .max = Vec2(here.min.x(), here.max.y())}, cell - 1});
-    if (cell / columns_ > 0)
-      sides.push_back({{.min = here.min, .max = Vec2(here.max.x(), here.min.y())}, cell - columns_});
-    return sides;
+    for_sides_behind(cell, visit);
+    if (cell % columns_ > 0) visit(Side{{.min = here.min, .max = Vec2(here.min.x(), here.max.y())}, cell - 1});
+    if (cell / columns_ > 0) visit(Side{{.min = here.min, .max = Vec2(here.max.x(), here.min.y())}, cell - columns_});
   }
 
  private:

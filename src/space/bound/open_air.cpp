@@ -107,7 +107,7 @@ GroundRange range_along(const HeightRaster& raster, const Vec2& a, const Vec2& b
   const Vec2 way = inside(b) - begin;
   for (double t = 0; t < 1;) {
     const double t_to = raster.map.straight_until(begin, begin + way, t);
-    const Vec2 from = raster.map(begin + t * way);
+    const Vec2 from = raster.map(inside(begin + t * way));
     const Vec2 to = raster.map(inside(begin + t_to * way));
     CellWalk walk({.from = clipped(from), .to = clipped(to)}, raster.columns - 1, raster.rows - 1);
     for (bool on = true; on;) {
