@@ -6,7 +6,7 @@
 
 namespace alate {
 
-/// How much work a lower bound is worth: about 10 ms, or about a second.
+/// How much work a lower bound is worth: about 10 ms, or some tenths of a second.
 enum class BoundEffort { quick, tight };
 
 /// A first look: where no flight can exist, the outcome becomes infeasible_proven and `why` tells where. About a

@@ -54,7 +54,8 @@ class IntervalRun {
       }
       std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
       if (!paths_.empty()) fly_best(plan);
-      if (run_.iterations() == 1) note_bound(problem_, effort_, run_, plan);
+      if (run_.iterations() == 1 || (!bounded_ && !plan.route.empty())) note_bound(problem_, effort_, run_, plan);
+      bounded_ = !plan.route.empty();
       if (plan.outcome == Outcome::infeasible_proven) return;
     }
   }
@@ -110,6 +111,7 @@ class IntervalRun {
   Stream random_;
   std::vector<FlightPath> paths_;
   std::size_t pass_ = 0;
+  bool bounded_ = false;  ///< A route was there when the bound was last worked on.
   std::uint64_t rounds_ = 0;
 };
 
@@ -151,20 +153,21 @@ std::string refusal(const Problem& problem) {
 }  // namespace
 
 PlannerEntry interval_astar_entry() {
-  return {.name = "interval-astar",
-          .help = "Dubins pieces over real ground, altitudes as intervals; then bettered until the time is up.",
-          .can = {.anytime = true, .deterministic = false, .terrain = true, .threats = true, .space = "Dubins flight"},
-          .presets = {{.name = "default", .help = "As the table says."}},
-          .parameters = ParamTable(
-              {{.name = "bound",
-                .default_value = std::string("quick"),
-                .choices = {"quick", "tight"},
-                .help = "Work on the lower bound: about 10 ms, or about a second of the time there is (--bound).",
-                .source = "alate"}}),
-          .refuses = refusal,
-          .make = [](const ParamValues& values) {
-            return Planner(IntervalPlanner{values.text("bound") == "tight" ? BoundEffort::tight : BoundEffort::quick});
-          }};
+  return {
+      .name = "interval-astar",
+      .help = "Dubins pieces over real ground, altitudes as intervals; then bettered until the time is up.",
+      .can = {.anytime = true, .deterministic = false, .terrain = true, .threats = true, .space = "Dubins flight"},
+      .presets = {{.name = "default", .help = "As the table says."}},
+      .parameters = ParamTable(
+          {{.name = "bound",
+            .default_value = std::string("quick"),
+            .choices = {"quick", "tight"},
+            .help = "Work on the lower bound: about 10 ms, or some tenths of a second of the time there is (--bound).",
+            .source = "alate"}}),
+      .refuses = refusal,
+      .make = [](const ParamValues& values) {
+        return Planner(IntervalPlanner{values.text("bound") == "tight" ? BoundEffort::tight : BoundEffort::quick});
+      }};
 }
 
 }  // namespace alate

@@ -15,10 +15,11 @@ namespace alate {
 struct AnyAngleBoundOptions {
   double least = 0;  ///< A bound that is known.
   double most = 0;   ///< Cost of a route that is known.
-  double most_cells = 100'000;
+  double most_cells = 400'000;
 };
 
-/// For the physical objective over ground, at least `least`. About a second; stops early when `run` says so.
+/// For the physical objective over ground, at least `least`. A tenth of a second or more; stops early when `run` says
+/// so.
 double any_angle_bound(const Problem& problem, const AnyAngleBoundOptions& options, RunContext& run);
 
 }  // namespace alate
