@@ -14,7 +14,7 @@ namespace {
 
 /// The command line as written.
 struct PlanLine {
-  Text scenario, planner, preset, seed, threads, iterations, time_limit, prefer, out;
+  Text scenario, planner, preset, bound, seed, threads, iterations, time_limit, prefer, out;
   std::vector<std::string> settings;
   std::vector<std::string> overrides;
   bool front = false;
@@ -52,6 +52,7 @@ PlanOptions read_options(const PlanLine& line, FaultList& faults) {
   options.scenario = read_required("SCENARIO", line.scenario, faults);
   options.request = {.name = line.planner.value_or(""), .preset = line.preset.value_or("")};
   for (const std::string& text : line.settings) options.request.settings.push_back(read_setting(text, faults));
+  if (line.bound) options.request.settings.push_back({.name = "bound", .text = *line.bound, .file = "--bound"});
   options.threads = read_threads(line.threads, faults);
   options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
   options.run.time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults);
@@ -155,6 +156,7 @@ void add_plan(CLI::App& app, Command& chosen) {
   add_text(command, "--planner", line->planner, "planner to use (see alate planners); beats the scenario's");
   add_text(command, "--preset", line->preset, "named set of the planner's parameters");
   add_list(command, "--set", line->settings, "parameter=value of the planner; may be repeated");
+  add_text(command, "--bound", line->bound, "quick or tight: work on the lower bound; short for --set bound=...");
   add_list(command, "--override", line->overrides, "key.path=VALUE of the scenario; may be repeated");
   add_text(command, "--seed", line->seed, "seed of all random numbers (default 1)");
   add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes no result");

@@ -4,15 +4,11 @@
 
 #include <optional>
 
+#include "plan/place_name.hpp"
+
 namespace alate {
 
 namespace {
-
-std::string place_name(const Site& site, const Vec2& xy) {
-  if (const auto geo = site.frame.to_geo(xy))
-    return fmt::format("latitude {:.5f}, longitude {:.5f}", geo->lat_deg, geo->lon_deg);
-  return fmt::format("x {:.1f} m, y {:.1f} m", xy.x(), xy.y());
-}
 
 Route route_of(const AttitudeSpace& space, const std::vector<std::size_t>& actions) {
   AttitudeState state = space.start();

@@ -1,4 +1,5 @@
 // The flagship: a fixed wing over real ground, by true Dubins pieces and intervals of altitude.
+#include "plan/flight_bound.hpp"
 #include "plan/flight_planners.hpp"
 #include "plan/interval_run.hpp"
 #include "space/lower_bound.hpp"
@@ -8,20 +9,30 @@ namespace alate {
 namespace {
 
 struct IntervalPlanner {
-  static Plan plan(const Problem& problem, RunContext& run) {
+  BoundEffort effort = BoundEffort::quick;
+
+  Plan plan(const Problem& problem, RunContext& run) const {
     const Mission& mission = problem.mission;
     Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
     if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
       plan.outcome = Outcome::feasible;
       plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
     } else {
-      const FlightAir air(problem.world);
-      const ClimbField to_go(air.world, air.band.slopes(), run);
-      IntervalAStar search(air.cost, to_go);
-      IntervalRun(air, mission, run).improve(search, plan);
+      note_barrier(problem, run, plan);
+      if (plan.outcome != Outcome::infeasible_proven) search(problem, run, plan);
     }
     conclude(plan, run);
     return plan;
+  }
+
+ private:
+  void search(const Problem& problem, RunContext& run, Plan& plan) const {
+    const FlightAir air(problem.world);
+    const ClimbField to_go(air.world, air.band.slopes(), run);
+    IntervalAStar astar(air.cost, to_go);
+    IntervalRun(air, problem.mission, run).improve(astar, plan, [&](Plan& so_far) {
+      note_bound(problem, effort, run, so_far);
+    });
   }
 };
 
@@ -39,14 +50,23 @@ std::string refusal(const Problem& problem) {
 }  // namespace
 
 PlannerEntry interval_astar_entry() {
-  return {.name = "interval-astar",
-          .help = "Dubins pieces over real ground, altitudes as intervals; then bettered until the time is up.",
-          .can = {.anytime = true, .deterministic = false, .terrain = true, .threats = true, .space = "Dubins flight"},
-          .presets = {{.name = "default", .help = "It has no parameters."}},
-          .parameters = ParamTable(std::vector<Parameter>{}),
-          .refuses = refusal,
-          .make = [](const ParamValues&) { return Planner(IntervalPlanner{}); },
-          .fits = "an aircraft with a turn radius flies cheapest along arcs and straight legs that follow the ground"};
+  return {
+      .name = "interval-astar",
+      .help = "Dubins pieces over real ground, altitudes as intervals; then bettered until the time is up.",
+      .can = {.anytime = true, .deterministic = false, .terrain = true, .threats = true, .space = "Dubins flight"},
+      .presets = {{.name = "default", .help = "As the table says."}},
+      .parameters = ParamTable(
+          {{.name = "bound",
+            .default_value = std::string("quick"),
+            .choices = {"quick", "tight"},
+            .help = "Work on the lower bound: about 10 ms, or some tenths of a second of the time there is (--bound).",
+            .source = "alate"}}),
+      .refuses = refusal,
+      .make =
+          [](const ParamValues& values) {
+            return Planner(IntervalPlanner{values.text("bound") == "tight" ? BoundEffort::tight : BoundEffort::quick});
+          },
+      .fits = "an aircraft with a turn radius flies cheapest along arcs and straight legs that follow the ground"};
 }
 
 }  // namespace alate

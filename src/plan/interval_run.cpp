@@ -88,7 +88,8 @@ void IntervalRun::change_some() {
   paths_[std::min(rank, paths_.size() - 1)].better(random_, kTrials, run_);
 }
 
-void IntervalRun::improve(IntervalAStar& astar, Plan& plan) {
+void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound) {
+  bool bounded = note_bound == nullptr;
   while (run_.start_iteration(kIterations)) {
     if (pass_ < kPasses.size() && (!in_flight_ || run_.iterations() % 2 != 0)) {
       search_next(astar, plan);
@@ -99,6 +100,10 @@ void IntervalRun::improve(IntervalAStar& astar, Plan& plan) {
     }
     std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
     if (!paths_.empty()) fly_best(plan);
+    if (bounded || (plan.route.empty() && run_.iterations() > 1)) continue;
+    note_bound(plan);
+    bounded = !plan.route.empty();
+    if (plan.outcome == Outcome::infeasible_proven) return;
   }
 }
 
@@ -125,7 +130,7 @@ void conclude(Plan& plan, const RunContext& run) {
   plan.stop = run.stop();
   const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
   plan.reproducible = !stopped;
-  if (plan.route.empty())
+  if (plan.route.empty() && plan.why.empty())
     plan.why =
         stopped ? "stopped before any route was found" : "no string of arcs and straight pieces leads to the goal";
 }

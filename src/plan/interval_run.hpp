@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "search/interval/flight_path.hpp"
@@ -50,9 +51,10 @@ class IntervalRun {
   /// Altitudes for the way that seems best; into `plan` if it is better than what is there.
   void fly_best(Plan& plan);
 
-  /// Searches, then changes what was found, until the budget is used. Where a way was added, as in flight, searches
-  /// take turns with changes and none may be long.
-  void improve(IntervalAStar& astar, Plan& plan);
+  /// Searches, then changes what was found, until the budget is used or no route is proven. Where a way was added, as
+  /// in flight, searches take turns with changes and none may be long. `note_bound`, if given, is called when the first
+  /// iteration is over, and again once there is a route.
+  void improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound = nullptr);
 
  private:
   static constexpr int kTrials = 250;  ///< Of changes, an iteration.

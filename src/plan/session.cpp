@@ -4,6 +4,7 @@
 
 #include "alate/core/fault.hpp"
 #include "plan/first_route.hpp"
+#include "plan/flight_bound.hpp"
 #include "plan/flight_planners.hpp"
 #include "space/lower_bound.hpp"
 
@@ -62,6 +63,10 @@ struct Session::Kept {
 
   Plan begin_plan(const RunContext& run) const {
     return {.lower_bound = physical_bound(site(), site().mission.start), .seed = run.seed()};
+  }
+
+  std::function<void(Plan&)> bound_by(RunContext& run) const {
+    return [this, &run](Plan& plan) { note_bound(Problem(air->world), BoundEffort::quick, run, plan); };
   }
 
   void stay(Plan& plan) const {
@@ -143,7 +148,7 @@ Plan Session::plan(RunContext& run) {
     kept_->stay(plan);
   } else {
     kept_->complete_field(run);
-    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, plan);
+    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, plan, kept_->bound_by(run));
   }
   kept_->finish(plan, run);
   return plan;
@@ -166,7 +171,7 @@ Plan Session::replan(const FlightState& state, const FlightChange& change, RunCo
                      run, plan);
     if (run.iterations() < run.iteration_limit() || run.iteration_limit() == 0) {
       kept.complete_field(run);
-      run_from(*kept.air, plan, run).improve(*kept.astar, plan);
+      run_from(*kept.air, plan, run).improve(*kept.astar, plan, kept.bound_by(run));
     }
   }
   kept.finish(plan, run);

@@ -47,6 +47,22 @@ TEST(Plan, OptionBeatsScenarioBeatsChoice) {
   EXPECT_EQ(option.at("chosen_by"), "option");
 }
 
+TEST(Plan, WorksOnTheBoundAsLongAsAsked) {
+  const auto bound = [](const char* effort) {
+    const Finished done =
+        alate({"plan", kJacksboro, "--planner", "interval-astar", "--iterations", "1", "--json", "--bound", effort});
+    EXPECT_EQ(done.code, 0) << done.err;
+    const Json result = Json::parse(done.out);
+    EXPECT_EQ(result.at("parameters").at("bound"), effort);
+    EXPECT_GE(result.at("cost"), result.at("lower_bound"));
+    return result.at("lower_bound").get<double>();
+  };
+  EXPECT_GE(bound("tight"), bound("quick"));
+  const Finished loose = alate({"plan", kJacksboro, "--planner", "interval-astar", "--bound", "loose"});
+  EXPECT_EQ(loose.code, 2);
+  expect_contains(loose.err, {"--bound", "loose", "quick | tight"});
+}
+
 TEST(Plan, OverridesTheScenario) {
   const Json far = Json::parse(alate({"plan", "-", "--json"}, kSmall).out);
   const Json near =

@@ -7,6 +7,7 @@
 #include "search/interval/flight_path.hpp"
 #include "search/interval/flight_profile.hpp"
 #include "space/objective.hpp"
+#include "support/drawn_track.hpp"
 #include "support/fly.hpp"
 #include "support/hand_made_sites.hpp"
 
@@ -14,28 +15,6 @@ namespace alate {
 namespace {
 
 Site jacksboro_site() { return load_site(load_scenario(ALATE_SOURCE_DIR "/examples/jacksboro/scenario.yaml")); }
-
-struct Flown {
-  Track track;
-  AltitudeLabel label;
-};
-
-/// A track drawn piece by piece from a random place, as long as some altitude is left.
-Flown draw_track(const BandWalk& band, const PlanarPose& start, double z, Stream& random) {
-  Flown flown{.track = {}, .label = AltitudeLabel::at(z)};
-  PlanarPose at = start;
-  for (int k = 0; k < 30; ++k) {
-    const auto steering = static_cast<Steering>(static_cast<int>(random.below(3)) - 1);
-    const double most = steering == Steering::straight ? 600 : 1.5 * band.radius_m();
-    const PlanarPiece piece{steering, at, 1 + most * random.uniform(), band.radius_m()};
-    AltitudeLabel label = flown.label;
-    if (!band.advance(piece, label)) continue;
-    flown.label = label;
-    flown.track.push_back(piece);
-    at = piece.end();
-  }
-  return flown;
-}
 
 /// Random tracks over a site, each flown at an altitude that its label allows. Returns how many were.
 int expect_lives_as_checked(Site site, std::uint64_t seed) {
@@ -50,7 +29,7 @@ int expect_lives_as_checked(Site site, std::uint64_t seed) {
     const auto ground = world.height(place);
     const double z = ground.value_or(0) + site.band.clearance_m + 60 * random.uniform();
     const PlanarPose start = planar_pose(place.x(), place.y(), 2 * kPi * random.uniform());
-    const auto [track, label] = draw_track(band, start, z, random);
+    const auto [track, label] = test::draw_track(band, start, z, random);
     if (track.size() < 3) continue;
     const PlanarPose end = track.back().end();
     const double z_end = label.low + random.uniform() * (label.high - label.low);
@@ -157,13 +136,6 @@ TEST(IntervalAStar, RoundsAWallThroughItsGap) {
   // Over the gap's middle at the least: 4 km east and 4 km north, twice.
   EXPECT_GT(plan.cost, 2 * std::hypot(3900, 3900));
   EXPECT_LT(plan.cost, 2 * std::hypot(4000, 4000) * 1.05);
-}
-
-TEST(IntervalAStar, FindsNoWayThroughAWallWithoutAGap) {
-  const World world(test::ridge_site(false));
-  const Plan plan = test::fly(world, {.name = "interval-astar"}, {.iterations = 10});
-  EXPECT_EQ(plan.outcome, Outcome::none_found);
-  EXPECT_FALSE(plan.why.empty());
 }
 
 /// Bins follow the turn radius only as far as memory goes.
