@@ -6,5 +6,6 @@
 namespace alate {
 
 PlannerEntry interval_astar_entry();
+PlannerEntry primitive_aco_entry();
 
 }  // namespace alate

@@ -52,6 +52,7 @@ const Registry& builtin_planners() {
                                                      {.is_for = is_among_voxels, .entry = voxel_theta_star_entry()}}));
     registry.add(grid_aco_entry());
     registry.add(interval_astar_entry());
+    registry.add(primitive_aco_entry());
     return registry;
   }();
   return kRegistry;

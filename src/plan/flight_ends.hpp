@@ -1,0 +1,14 @@
+// Where flights over real ground begin, and how fine they are searched.
+#pragma once
+
+#include "search/interval/interval_astar.hpp"
+
+namespace alate {
+
+/// In the heading given; else in sixteen, the first towards the goal.
+FlightStart flight_start(const Mission& mission);
+
+/// Of bins and straight primitives, for a flight of `distance_m`.
+double bin_width(double distance_m, double radius_m);
+
+}  // namespace alate
