@@ -34,6 +34,12 @@ std::vector<std::string> Registry::names() const {
   return names;
 }
 
+namespace {
+
+bool drifts(const Site& site) { return site.navigation.has_value(); }
+
+}  // namespace
+
 const Registry& builtin_planners() {
   static const Registry kRegistry = [] {
     Registry registry;
@@ -51,7 +57,7 @@ const Registry& builtin_planners() {
     registry.add(under_one_name(theta_star_entry(), {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()},
                                                      {.is_for = is_among_voxels, .entry = voxel_theta_star_entry()}}));
     registry.add(grid_aco_entry());
-    registry.add(interval_astar_entry());
+    registry.add(under_one_name(interval_astar_entry(), {{.is_for = drifts, .entry = correction_flight_entry()}}));
     registry.add(primitive_aco_entry());
     return registry;
   }();
