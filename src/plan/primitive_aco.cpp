@@ -36,7 +36,7 @@ class FlightWork {
         to_go_(problem.world, band_.slopes(), run),
         end_{.goal = problem.mission.goal, .tolerance_m = std::max(0.0, problem.mission.tolerance_m - 1e-3)},
         bin_m_(bin_width((problem.mission.goal - problem.mission.start).norm(), band_.radius_m())),
-        space_(cost_, to_go_, flight_start(problem.mission), end_,
+        space_(cost_, to_go_, {flight_start(problem.mission), end_},
                {.bin_m = bin_m_, .ahead_m = values.number("look_ahead") * band_.radius_m()}),
         random_(run.seed(), 0, 0),
         pool_(static_cast<int>(values.integer("trials")), kApart * bin_m_) {}

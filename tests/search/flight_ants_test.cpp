@@ -20,9 +20,10 @@ struct Sky {
         to_go(world, band.slopes(), run),
         end{.goal = site.mission.goal, .tolerance_m = site.mission.tolerance_m - 1e-3},
         ants(cost, to_go,
-             {{planar_pose(site.mission.start.x(), site.mission.start.y(), kPi / 2 - site.mission.heading_rad)},
-              site.mission.start.z()},
-             end, {.bin_m = 100, .ahead_m = 300}) {}
+             {{{planar_pose(site.mission.start.x(), site.mission.start.y(), kPi / 2 - site.mission.heading_rad)},
+               site.mission.start.z()},
+              end},
+             {.bin_m = 100, .ahead_m = 300}) {}
 
   World world;
   BandWalk band;
@@ -44,7 +45,7 @@ Actions walk(const FlightAnts& ants, std::uint64_t seed) {
   for (int trial = 0; trial < 100; ++trial) {
     Actions actions{0};
     FlightState state = ants.next(ants.start(), 0);
-    for (int look = 0; look < 1000 && !ants.is_goal(state); ++look) {
+    for (int look = 0; look < 1000 && !FlightAnts::is_goal(state); ++look) {
       ants.look(state, choices);
       std::size_t action = kShot;
       if (!(choices.cost[kShot] < 1e30F) || actions.size() < 10) {
@@ -54,11 +55,11 @@ Actions walk(const FlightAnts& ants, std::uint64_t seed) {
         if (random.uniform() < 0.3) action = random.below(kShot);
       }
       const FlightState to = ants.next(state, action);
-      if (!ants.is_free(state, to)) continue;
+      if (!FlightAnts::is_free(state, to)) continue;
       actions.push_back(static_cast<std::uint32_t>(action));
       state = to;
     }
-    if (ants.is_goal(state)) return actions;
+    if (FlightAnts::is_goal(state)) return actions;
   }
   return {};
 }
@@ -68,7 +69,7 @@ std::vector<Eigen::Vector3f> moves_of(const FlightAnts& ants, const Actions& act
   FlightState state = ants.start();
   for (const std::uint32_t action : actions) {
     state = ants.next(state, action);
-    moves.push_back(ants.place(state));
+    moves.push_back(FlightAnts::place(state));
   }
   return moves;
 }
@@ -85,7 +86,7 @@ TEST(FlightAnts, SeeWhatTheyWillFly) {
         const FlightState to = sky.ants.next(state, action);
         // The threat is priced at one altitude along the move, where the flight may have to climb.
         EXPECT_NEAR(choices.cost[action], to.cost, 0.02 * to.cost + 1e-3);
-        EXPECT_EQ(Eigen::Vector3f(choices.x[action], choices.y[action], choices.z[action]), sky.ants.place(to));
+        EXPECT_EQ(Eigen::Vector3f(choices.x[action], choices.y[action], choices.z[action]), FlightAnts::place(to));
         for (std::size_t k = sky.ants.actions(); k < choices.cost.size(); ++k) EXPECT_FALSE(choices.cost[k] < 1e30F);
         state = to;
         ++seen;
@@ -100,7 +101,7 @@ TEST(FlightAnts, ChooseAHeadingWhereNoneIsGiven) {
   const Sky sky(site);
   FlightStart start{.poses = {}, .z = site.mission.start.z()};
   for (int k = 0; k < 16; ++k) start.poses.push_back(planar_pose(0, 0, 2 * kPi * k / 16));
-  const FlightAnts ants(sky.cost, sky.to_go, start, sky.end, {.bin_m = 100, .ahead_m = 300});
+  const FlightAnts ants(sky.cost, sky.to_go, {start, sky.end}, {.bin_m = 100, .ahead_m = 300});
   Choices choices;
   ants.look(ants.start(), choices);
   const auto best = std::ranges::min_element(choices.guide) - choices.guide.begin();
@@ -138,7 +139,7 @@ TEST(FlightAnts, StillKnowTheFlightBeforeTheLast) {
 }
 
 TEST(FlightAnts, NoFlightEndsShortOfTheGoal) {
-  Sky sky(test::open_air_site());
+  const Sky sky(test::open_air_site());
   Actions actions = walk(sky.ants, 3);
   ASSERT_TRUE(sky.ants.fly(actions));
   actions.pop_back();

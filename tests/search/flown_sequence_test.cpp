@@ -30,36 +30,53 @@ const Vec3 kStart{0, 0, 0};
 const Vec3 kGoal{12000, 0, 0};
 constexpr int kMostPoints = 5;
 
-/// What a sequence costs with all that is known of its legs; infinite where it breaks a limit.
-double cost_of(const CorrectionGraph& graph, const FlownLegs& flown, const std::vector<Node>& nodes) {
-  double cost = 0;
-  double error = 0;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const FlownLegPrice* known = flown.find(nodes[i < 2 ? 0 : i - 2], nodes[i - 1], nodes[i]);
-    const double straight = graph.length(nodes[i - 1], nodes[i]);
-    const double length = known != nullptr ? known->length_m : straight;
-    const ReducedLeg& rule = graph.leg(nodes[i - 1], nodes[i]);
-    if (!rule.keeps_limits(error, length)) return kInfinity;
-    error = rule.after(error, length);
-    cost += known != nullptr ? known->cost : straight;
-  }
-  return cost;
-}
+/// Every sequence, one after the other.
+class AllSequences {
+ public:
+  AllSequences(const CorrectionGraph& graph, const FlownLegs& flown)
+      : graph_(graph), flown_(flown), nodes_{graph.start()} {}
 
-/// The least cost of all sequences of at most `left` points more that cost less than `least`.
-double least_cost(const CorrectionGraph& graph, const FlownLegs& flown, std::vector<Node>& nodes, int left,
-                  double least) {
-  nodes.push_back(graph.goal());
-  least = std::min(least, cost_of(graph, flown, nodes));
-  nodes.pop_back();
-  for (Node next = 0; left > 0 && next < graph.point_count(); ++next) {
-    if (next == nodes.back()) continue;
-    nodes.push_back(next);
-    if (cost_of(graph, flown, nodes) < least) least = least_cost(graph, flown, nodes, left - 1, least);
-    nodes.pop_back();
+  /// The least cost of all with at most `most` points.
+  double least_cost(int most) {
+    least_ = kInfinity;
+    try_points(most);
+    return least_;
   }
-  return least;
-}
+
+  /// With all that is known of its legs; infinite where it breaks a limit.
+  double cost_of(const std::vector<Node>& nodes) const {
+    double cost = 0;
+    double error = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      const FlownLegPrice* known = flown_.find(nodes[i < 2 ? 0 : i - 2], nodes[i - 1], nodes[i]);
+      const double straight = graph_.length(nodes[i - 1], nodes[i]);
+      const double length = known != nullptr ? known->length_m : straight;
+      const ReducedLeg& rule = graph_.leg(nodes[i - 1], nodes[i]);
+      if (!rule.keeps_limits(error, length)) return kInfinity;
+      error = rule.after(error, length);
+      cost += known != nullptr ? known->cost : straight;
+    }
+    return cost;
+  }
+
+ private:
+  void try_points(int left) {
+    nodes_.push_back(graph_.goal());
+    least_ = std::min(least_, cost_of(nodes_));
+    nodes_.pop_back();
+    for (Node next = 0; left > 0 && next < graph_.point_count(); ++next) {
+      if (next == nodes_.back()) continue;
+      nodes_.push_back(next);
+      if (cost_of(nodes_) < least_) try_points(left - 1);
+      nodes_.pop_back();
+    }
+  }
+
+  const CorrectionGraph& graph_;
+  const FlownLegs& flown_;
+  std::vector<Node> nodes_;
+  double least_ = kInfinity;
+};
 
 /// Each leg that the search has taken for straight turns out to be longer, or cannot be flown at all, until it takes
 /// none but known ones.
@@ -72,13 +89,13 @@ TEST(FlownSequence, IsTheCheapestWithWhatIsKnown) {
     std::mt19937_64 random(seed);
     FlownLegs flown;
     for (int round = 0; round < 100; ++round) {
-      std::vector<Node> from{graph.start()};
-      const double least = least_cost(graph, flown, from, kMostPoints, kInfinity);
+      AllSequences all(graph, flown);
+      const double least = all.least_cost(kMostPoints);
       const auto sequence = cheapest_sequence(graph, flown, {}, run);
       EXPECT_TRUE(sequence || !(least < kInfinity)) << seed << ' ' << round;
       if (!sequence || sequence->size() > kMostPoints + 2) break;
       ++found;
-      EXPECT_NEAR(cost_of(graph, flown, *sequence), least, 1e-9 * least);
+      EXPECT_NEAR(all.cost_of(*sequence), least, 1e-9 * least);
       bool news = false;
       for (std::size_t i = 1; i < sequence->size(); ++i) {
         const Node before = (*sequence)[i < 2 ? 0 : i - 2];

@@ -44,12 +44,12 @@ Track joined(const Track& track) {
   return joined;
 }
 
-FlightAnts::FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightStart start, FlightEnd end,
+FlightAnts::FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightEnds ends,
                        const FlightAntsOptions& options)
     : cost_(cost),
       to_go_(to_go),
-      start_(std::move(start)),
-      end_(std::move(end)),
+      start_(std::move(ends.start)),
+      end_(std::move(ends.end)),
       options_(options),
       threat_weight_(cost.band().world().site().scenario.objective.threat) {
   assert(start_.poses.size() <= kLanes);

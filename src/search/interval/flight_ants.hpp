@@ -43,25 +43,30 @@ struct FlightAntsOptions {
   std::size_t step_limit = 4000;
 };
 
-/// Actions from 0: poses to start in, primitives, the shot. From `known()` on: pieces of known flights.
+/// From where to where.
+struct FlightEnds {
+  FlightStart start;
+  FlightEnd end;
+};
+
+/// Actions from 0: poses to start in, primitives, the shot. From `kKnown` on: pieces of known flights.
 class FlightAnts {
  public:
   using State = FlightState;
 
   /// `cost` and `to_go` must outlive this. At most as many poses as there are lanes in Choices.
-  FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightStart start, FlightEnd end,
-             const FlightAntsOptions& options);
+  FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightEnds ends, const FlightAntsOptions& options);
 
-  State start() const { return {.pose = {}, .label = AltitudeLabel::at(start_.z), .move = {}}; }
+  State start() const { return {.pose = {}, .label = AltitudeLabel::at(start_.z), .move = Eigen::Vector3f::Zero()}; }
   std::size_t actions() const { return std::max(kShot + 1, start_.poses.size()); }
   std::size_t step_limit() const { return options_.step_limit; }
 
   void look(const State& state, Choices& out) const;
   State next(const State& state, std::size_t action) const;
-  bool is_free(const State& /*from*/, const State& to) const { return to.cost < kInfinity; }
-  bool is_goal(const State& state) const { return state.phase == State::Phase::arrived; }
+  static bool is_free(const State& /*from*/, const State& to) { return to.cost < kInfinity; }
+  static bool is_goal(const State& state) { return state.phase == State::Phase::arrived; }
   /// Where a state is, as trails know places: the move that led there.
-  Eigen::Vector3f place(const State& state) const { return state.move; }
+  static Eigen::Vector3f place(const State& state) { return state.move; }
 
   /// Length and exposure of every move; ascent counts with the last one.
   std::optional<FlownActions> fly(std::span<const std::uint32_t> actions) const;
