@@ -6,5 +6,8 @@
 namespace alate {
 
 PlannerEntry interval_astar_entry();
+/// The same where navigation drifts: from correction point to correction point.
+PlannerEntry correction_flight_entry();
+PlannerEntry primitive_aco_entry();
 
 }  // namespace alate

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "plan/flight_ends.hpp"
 #include "search/interval/flight_profile.hpp"
 
 namespace alate {
@@ -14,9 +15,6 @@ namespace {
 constexpr std::array kPasses{IntervalRun::kHasty,     IntervalPass{1.15, 1},   IntervalPass{1.05, 1},
                              IntervalPass{1.15, 0.5}, IntervalPass{1.05, 0.5}, IntervalPass{1.15, 2},
                              IntervalPass{1.05, 2}};
-
-/// Degrees in a mission file and their way back to metres move the last waypoint by some millimetres.
-constexpr double kSpareTolerance_m = 0.01;
 
 /// The share of the ball that a way which ends at `place` leaves for altitude.
 FlightEnd end_at(FlightEnd end, const Vec2& place) {
@@ -32,19 +30,7 @@ FlightEnd end_at(FlightEnd end, const Vec2& place) {
 IntervalRun::IntervalRun(const FlightAir& air, const Mission& mission, RunContext& run, Route before)
     : air_(air), mission_(mission), run_(run), before_(std::move(before)), random_(run.seed(), 0, 0) {}
 
-FlightEnd IntervalRun::end() const {
-  return {.goal = mission_.goal, .tolerance_m = std::max(0.0, mission_.tolerance_m - kSpareTolerance_m)};
-}
-
-std::vector<PlanarPose> IntervalRun::starts() const {
-  const auto pose = [&](double heading) { return planar_pose(mission_.start.x(), mission_.start.y(), heading); };
-  if (mission_.heading_given) return {pose(kPi / 2 - mission_.heading_rad)};
-  std::vector<PlanarPose> all;
-  constexpr int kHeadings = 16;
-  const Vec2 way = (mission_.goal - mission_.start).head<2>();
-  for (int k = 0; k < kHeadings; ++k) all.push_back(pose(std::atan2(way.y(), way.x()) + 2 * kPi * k / kHeadings));
-  return all;
-}
+FlightEnd IntervalRun::end() const { return flight_end(mission_.goal, mission_.tolerance_m); }
 
 bool IntervalRun::add(const Track& track) {
   if (track.empty()) return false;
@@ -62,15 +48,13 @@ bool IntervalRun::add(const Track& track) {
 }
 
 bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan) {
-  const double distance = (mission_.goal - mission_.start).norm();
-  const double radius = air_.band.radius_m();
-  const double bin = std::clamp(distance / 250, radius / 2, 4 * radius);
-  const double z = mission_.start.z();
-  const auto track = astar.find(
-      {starts(), z}, end(), {.epsilon = pass.epsilon, .bin_m = bin * pass.bin, .most_nodes = pass.most_nodes}, run_);
+  const double bin = bin_width((mission_.goal - mission_.start).norm(), air_.band.radius_m());
+  const auto track =
+      astar.find(flight_start(mission_), end(),
+                 {.epsilon = pass.epsilon, .bin_m = bin * pass.bin, .most_nodes = pass.most_nodes}, run_);
   plan.counters["expansions"] += astar.expansions();
   if (!track) return false;
-  paths_.emplace_back(air_.cost, end(), *track, z);
+  paths_.emplace_back(air_.cost, end(), *track, mission_.start.z());
   paths_.back().shorten(run_);
   return true;
 }

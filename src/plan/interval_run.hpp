@@ -59,7 +59,6 @@ class IntervalRun {
  private:
   static constexpr int kTrials = 250;  ///< Of changes, an iteration.
 
-  std::vector<PlanarPose> starts() const;
   void search_next(IntervalAStar& astar, Plan& plan);
   void change_some();
 

@@ -34,10 +34,16 @@ std::vector<std::string> Registry::names() const {
   return names;
 }
 
+namespace {
+
+bool drifts(const Site& site) { return site.navigation.has_value(); }
+
+}  // namespace
+
 const Registry& builtin_planners() {
   static const Registry kRegistry = [] {
     Registry registry;
-    registry.add(interval_astar_entry());
+    registry.add(under_one_name(interval_astar_entry(), {{.is_for = drifts, .entry = correction_flight_entry()}}));
     registry.add(beam_entry());
     registry.add(greedy_entry());
     registry.add(attitude_aco_entry());
@@ -52,6 +58,7 @@ const Registry& builtin_planners() {
     registry.add(under_one_name(theta_star_entry(), {{.is_for = is_over_terrain, .entry = terrain_theta_star_entry()},
                                                      {.is_for = is_among_voxels, .entry = voxel_theta_star_entry()}}));
     registry.add(grid_aco_entry());
+    registry.add(primitive_aco_entry());
     return registry;
   }();
   return kRegistry;

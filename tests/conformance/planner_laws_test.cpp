@@ -11,6 +11,7 @@
 #include "space/objective.hpp"
 #include "space/rotations.hpp"
 #include "support/correction_sites.hpp"
+#include "support/drifting_sites.hpp"
 #include "support/fly.hpp"
 #include "support/grid_sites.hpp"
 #include "support/terrain_sites.hpp"
@@ -38,6 +39,7 @@ const std::map<std::string, Site>& problems() {
                                     {"corrections", test::drawn_site(CorrectionLaw::set1, 611, 1)},
                                     {"scarce_corrections", test::drawn_site(CorrectionLaw::set2, 2000, 2)},
                                     {"core_among_corrections", test::cored_site()},
+                                    {"corrections_round_a_wall", test::drifting_site(false)},
                                     {"grid", test::grid_site(test::drawn_grid(30, 2))},
                                     {"hills", test::simple_site()}};
     std::mt19937_64 random(2);

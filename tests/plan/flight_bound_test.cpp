@@ -53,7 +53,8 @@ int expect_below_drawn_flights(Site site, std::uint64_t seed, int trials) {
                      .heading_given = true,
                      .goal = {end.x, end.y, label.low + random.uniform() * (label.high - label.low)},
                      .tolerance_m = 0.001};
-    const auto route = fly_track(band, track, other.mission.start, {.goal = other.mission.goal, .tolerance_m = 0});
+    const auto route =
+        fly_track(FlightCost(band), track, other.mission.start, {.goal = other.mission.goal, .tolerance_m = 0});
     if (!route || !check(other, *route).ok()) continue;
     ++flown;
     const double cost = measure(other, *route).cost;

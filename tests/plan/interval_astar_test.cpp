@@ -38,7 +38,8 @@ int expect_lives_as_checked(Site site, std::uint64_t seed) {
                     .heading_given = true,
                     .goal = {end.x, end.y, z_end},
                     .tolerance_m = 0.001};
-    const auto route = fly_track(FlightCost(band), track, site.mission.start, {.goal = site.mission.goal, .tolerance_m = 0});
+    const auto route =
+        fly_track(FlightCost(band), track, site.mission.start, {.goal = site.mission.goal, .tolerance_m = 0});
     EXPECT_TRUE(route) << trial;
     if (!route) continue;
     ++flown;

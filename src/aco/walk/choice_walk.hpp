@@ -50,7 +50,12 @@ class ChoiceWalk {
     run.executor().for_ranges(scratch_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t group = begin; group < end; ++group)
         for (std::size_t a = first_of(group); a < first_of(group + 1); ++a) {
-          One one{policies, ants[a], best, scratch_[group], Stream(run.seed(), run.iterations(), a)};
+          One one{policies,
+                  ants[a],
+                  best,
+                  scratch_[group].choices,
+                  scratch_[group].states,
+                  Stream(run.seed(), run.iterations(), a)};
           walk(one, run);
           count_known(policies, ants[a]);
         }
@@ -67,13 +72,21 @@ class ChoiceWalk {
   static double told(const Ant& ant) { return ant.cost; }
 
  private:
+  using State = typename Space::State;
+  using States = std::vector<State>;
+
   /// One ant and what it walks with.
   struct One {
     const Policies& policies;
     Ant& ant;
     const Ant& best;
     Choices& choices;
+    States& states;
     Stream stream;
+  };
+  struct Scratch {
+    Choices choices;
+    States states;  ///< Of the ant, from the start on: what it steps back to.
   };
 
   static void count_known(const Policies& policies, Ant& ant) {
@@ -83,16 +96,18 @@ class ChoiceWalk {
 
   /// One ant, until it arrives, is stuck, or meets the step limit.
   void walk(One& one, RunContext& run) const {
-    auto& [policies, ant, best, choices, stream] = one;
+    auto& [policies, ant, best, choices, states, stream] = one;
     ant.restart();
     if (best.arrived() && stream.uniform() < options_.follow) ant.follow(best, stream.below(best.actions.size()));
-    typename Space::State state = state_after(ant.actions);
+    State state = space_.start();
+    states.assign(1, state);
+    for (const std::uint32_t k : ant.actions) states.push_back(state = space_.next(state, k));
     float to_goal = std::numeric_limits<float>::infinity();
     for (std::size_t looks = 0; ant.actions.size() < space_.step_limit(); ++looks) {
       if (looks % kPollEvery == 0 && !run.keep_going()) return;
       weigh_choices(state, one);
       if (const auto taken = choose(state, one)) {
-        state = *taken;
+        states.push_back(state = *taken);
         if (space_.is_goal(state)) ant.cost = ant.sum;  // eq. (37)
         if (ant.arrived() || is_hopeless(ant, best, choices.guide[ant.actions.back()])) return;
         const float before = std::exchange(to_goal, choices.to_goal[ant.actions.back()]);
@@ -102,7 +117,8 @@ class ChoiceWalk {
       if (ant.actions.empty() || ant.dead.size() >= options_.step_backs) return;
       ant.step_back();
       to_goal = std::numeric_limits<float>::infinity();
-      state = state_after(ant.actions);
+      states.pop_back();
+      state = states.back();
     }
   }
 
@@ -112,32 +128,26 @@ class ChoiceWalk {
     return ant.sum + static_cast<double>(ahead) > best.cost * (1 + options_.give_up);
   }
 
-  typename Space::State state_after(const std::vector<std::uint32_t>& actions) const {
-    typename Space::State state = space_.start();
-    for (const std::uint32_t k : actions) state = space_.next(state, k);
-    return state;
-  }
-
   /// Numerators of eq. (1): tau_k^alpha (1 / J_k)^beta.
-  void weigh_choices(const typename Space::State& state, One& one) const {
+  void weigh_choices(const State& state, One& one) const {
     space_.look(state, one.choices);
     one.policies.heuristic(one.choices, one.ant.index);
     one.policies.trail.weigh(options_.alpha, one.choices);
   }
 
   /// Draws from K and moves the ant; nothing where K is empty.
-  std::optional<typename Space::State> choose(const typename Space::State& state, One& one) const {
-    auto& [policies, ant, best, choices, stream] = one;
+  std::optional<State> choose(const State& state, One& one) const {
+    auto& [policies, ant, best, choices, states, stream] = one;
     for (;;) {
       const std::size_t k = policies.transition(choices, stream);
       if (k >= space_.actions()) return std::nullopt;
-      typename Space::State ahead = space_.next(state, k);
-      const TrailKey node = policies.trail.name(choices.x[k], choices.y[k], choices.z[k]);
-      if (!contains(ant.keys, node) && !contains(ant.dead, node) && space_.is_free(state, ahead)) {
-        ant.move(static_cast<std::uint32_t>(k), node, choices.cost[k]);
-        return ahead;
-      }
       choices.weight[k] = 0;
+      const TrailKey node = policies.trail.name(choices.x[k], choices.y[k], choices.z[k]);
+      if (contains(ant.keys, node) || contains(ant.dead, node)) continue;
+      State ahead = space_.next(state, k);
+      if (!space_.is_free(state, ahead)) continue;
+      ant.move(static_cast<std::uint32_t>(k), node, choices.cost[k]);
+      return ahead;
     }
   }
 
@@ -150,7 +160,7 @@ class ChoiceWalk {
 
   const Space& space_;
   Options options_;
-  std::vector<Choices> scratch_;  ///< One a group of ants.
+  std::vector<Scratch> scratch_;  ///< One a group of ants.
 };
 
 }  // namespace alate
