@@ -19,6 +19,7 @@ inline constexpr int kInterrupted = 130;
 using Command = std::function<int(FaultList)>;
 
 void add_plan(CLI::App& app, Command& chosen);
+void add_compare(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_planners(CLI::App& app, Command& chosen);
 void add_reproduce(CLI::App& app, Command& chosen);
