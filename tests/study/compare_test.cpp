@@ -218,6 +218,13 @@ TEST(Grace, IsATwentiethOrAFewMilliseconds) {
   EXPECT_DOUBLE_EQ(with_grace(0.01), 0.015);
 }
 
+TEST(CostWords, HaveFiveDigitsOrMore) {
+  EXPECT_EQ(cost_words(13.31371), "13.314");
+  EXPECT_EQ(cost_words(6382.48), "6382.5");
+  EXPECT_EQ(cost_words(74995.62), "74995.6");
+  EXPECT_EQ(cost_words(std::numeric_limits<double>::infinity()), "–");
+}
+
 }  // namespace
 
 }  // namespace alate

@@ -56,7 +56,8 @@ std::string reign_sentence(const Comparison& comparison, const Reign& reign) {
   if (!reign.leader) return span + " no planner has a route that passes the check in at least half of its runs.";
   const auto ranks = ranking(comparison, reign.to);
   const CompareFigures& best = ranks.front();
-  std::string text = fmt::format("{} {} is best: median cost {:.1f}", span, name_of(comparison, best), best.median);
+  std::string text =
+      fmt::format("{} {} is best: median cost {}", span, name_of(comparison, best), cost_words(best.median));
   if (reign.from != reign.to) text += fmt::format(" after {}", time_words(comparison.times_s[reign.to]));
   if (best.costs.size() < best.runs) text += fmt::format(", in {} of {} runs", best.costs.size(), best.runs);
   if (ranks.size() < 2 || !ranks[1].solves())
@@ -113,6 +114,13 @@ std::string ending_sentence(const Comparison& comparison, std::size_t contender)
 }  // namespace
 
 bool CompareFigures::solves() const { return std::isfinite(median); }
+
+std::string cost_words(double cost) {
+  if (!std::isfinite(cost)) return "–";
+  constexpr int kDigits = 5;
+  const int before = cost > 0 ? static_cast<int>(std::floor(std::log10(cost))) + 1 : 1;
+  return fmt::format("{:.{}f}", cost, std::clamp(kDigits - before, 1, kDigits));
+}
 
 std::string time_words(double seconds) {
   return seconds < 0.0995 ? fmt::format("{:.3g} ms", 1000 * seconds) : fmt::format("{:.3g} s", seconds);

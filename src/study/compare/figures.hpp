@@ -34,6 +34,9 @@ std::optional<double> best_cost(const Comparison& comparison);
 /// Plain sentences: who is best when, who is not, and what the check says of the others.
 std::vector<std::string> findings(const Comparison& comparison);
 
+/// Five digits or more, one of them behind the point at least; a dash for what is not finite.
+std::string cost_words(double cost);
+
 /// "0.1 s", "30 ms".
 std::string time_words(double seconds);
 

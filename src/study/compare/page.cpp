@@ -67,9 +67,8 @@ class ComparePage {
     items += fact(fmt::format("{}", ranks_.size()), "planners");
     items += fact(fmt::format("{}", comparison_.runs.size()), "runs");
     items += fact(fmt::format("{}", passed), "end with a route that passes");
-    if (best_) items += fact(fmt::format("{:.1f}", *best_), "best cost known");
-    if (comparison_.lower_bound > 0)
-      items += fact(fmt::format("{:.1f}", comparison_.lower_bound), "no route costs less");
+    if (best_) items += fact(cost_words(*best_), "best cost known");
+    if (comparison_.lower_bound > 0) items += fact(cost_words(comparison_.lower_bound), "no route costs less");
     return fmt::format("<ul class=\"facts\">\n{}</ul>\n", items);
   }
 
@@ -136,14 +135,14 @@ class ComparePage {
       const auto value = [&](double Summary::* member) {
         return each.cost ? std::optional((*each.cost).*member) : std::nullopt;
       };
+      const auto shown = [](const std::optional<double>& cost) { return cost ? cost_words(*cost) : "–"; };
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"num\">{} of {}</td><td class=\"num\">{}</td><td "
           "class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
           "class=\"num\">{}</td></tr>\n",
-          shown_name(each), xml_escape(verdict_of(each)), each.costs.size(), each.runs,
-          each.solves() ? fmt::format("{:.1f}", each.median) : "–", above_best(each), fixed(value(&Summary::mean), 1),
-          fixed(each.cost ? each.cost->sd : std::nullopt, 1), fixed(value(&Summary::least), 1),
-          fixed(value(&Summary::greatest), 1));
+          shown_name(each), xml_escape(verdict_of(each)), each.costs.size(), each.runs, cost_words(each.median),
+          above_best(each), shown(value(&Summary::mean)), shown(each.cost ? each.cost->sd : std::nullopt),
+          shown(value(&Summary::least)), shown(value(&Summary::greatest)));
     }
     return study_table({"Planner", "The check says"},
                        {"Passed", "Median", "% above best", "Mean", "SD", "Least", "Greatest"}, rows) +
@@ -176,8 +175,7 @@ class ComparePage {
             then.costs.size() < then.runs && !then.costs.empty()
                 ? fmt::format(" <span class=\"soft\">{} of {}</span>", then.costs.size(), then.runs)
                 : "";
-        rows +=
-            fmt::format("<td class=\"num\">{}{}</td>", then.solves() ? fmt::format("{:.1f}", then.median) : "–", some);
+        rows += fmt::format("<td class=\"num\">{}{}</td>", cost_words(then.median), some);
       }
       rows += "</tr>\n";
     }
@@ -221,11 +219,11 @@ class ComparePage {
           routes.push_back({.route = &run.route, .faint = &run != each.typical});
       std::ranges::find(routes, false, &MapRoute::faint)->verdict = &each.typical->verdict;
       const CompareMark& mark = each.typical->marks.back();
-      panels += fmt::format(
-          "<figure><h4>{}</h4>{}<p class=\"soft\">{}: cost {:.1f}, {:.0f} m long, up {:.0f} m</p></figure>\n",
-          shown_name(each), routes_map(site(), map, routes, "Routes of " + contender(each).name),
-          mark.standing == Standing::passed ? "passed" : xml_escape("not allowed: " + why_not(mark)), mark.metrics.cost,
-          mark.metrics.length_m, mark.metrics.climb_m);
+      panels +=
+          fmt::format("<figure><h4>{}</h4>{}<p class=\"soft\">{}: cost {}, {:.0f} m long, up {:.0f} m</p></figure>\n",
+                      shown_name(each), routes_map(site(), map, routes, "Routes of " + contender(each).name),
+                      mark.standing == Standing::passed ? "passed" : xml_escape("not allowed: " + why_not(mark)),
+                      cost_words(mark.metrics.cost), mark.metrics.length_m, mark.metrics.climb_m);
     }
     if (panels.empty()) return "";
     return "<p class=\"lead\">Thick: the route of the median run; thin: those of the other seeds; crosses: where it "

@@ -64,11 +64,6 @@ Json runs_json(const Comparison& comparison) {
   return all;
 }
 
-std::string time_cell(const Comparison& comparison, std::size_t contender, std::size_t time) {
-  const CompareFigures figures = figures_of(comparison, contender, time);
-  return figures.solves() ? fmt::format("{:.1f}", figures.median) : "-";
-}
-
 std::string csv_line(const Comparison& comparison, const CompareRun& run, std::size_t time) {
   const Contender& who = comparison.contenders[run.contender];
   const CompareMark& mark = run.marks[time];
@@ -92,7 +87,7 @@ std::string to_text(const Comparison& comparison) {
   for (const CompareFigures& each : ranking(comparison, comparison.times_s.size() - 1)) {
     text += fmt::format("{:<24}", comparison.contenders[each.contender].name);
     for (std::size_t time = 0; time < comparison.times_s.size(); ++time)
-      text += fmt::format(" {:>10}", time_cell(comparison, each.contender, time));
+      text += fmt::format(" {:>10}", cost_words(figures_of(comparison, each.contender, time).median));
     text += fmt::format(" {:>10}\n", fmt::format("{} of {}", each.costs.size(), each.runs));
   }
   for (const std::string& note : comparison.notes) text += note + "\n";
