@@ -70,12 +70,6 @@ double FlightLegs::cost(const Waypoint& from, const Waypoint& to) const {
          weights_.threat * exposure;
 }
 
-double FlightLegs::cost(const Way& way) const {
-  double sum = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum += cost(way[i - 1], way[i]);
-  return sum;
-}
-
 double FlightLegs::least_cost(const Waypoint& from, const Waypoint& to) const {
   const double climb = to.z - from.z;
   return weights_.length * std::hypot(dubins_length(from.pose, to.pose, radius_m()), climb) +
@@ -104,28 +98,9 @@ std::optional<std::pair<double, double>> FlightLegs::altitudes(const PlanarPose&
   return floor <= ceiling ? std::optional(std::pair(floor, ceiling)) : std::nullopt;
 }
 
-std::optional<Waypoint> FlightLegs::point_on(const Waypoint& from, const Waypoint& to, double part) const {
-  Track way = track(from.pose, to.pose);
-  double rest = part * length_of(way);
-  AltitudeLabel onward = AltitudeLabel::at(from.z);
-  std::size_t k = 0;
-  for (; k + 1 < way.size() && rest > way[k].length_m; rest -= way[k++].length_m)
-    if (!band_.advance(way[k], onward)) return std::nullopt;
-  if (way.empty()) return std::nullopt;
-  PlanarPiece first = way[k];
-  first.length_m = std::min(rest, first.length_m);
-  PlanarPiece second = way[k];
-  second.start = first.end();
-  second.length_m -= first.length_m;
-  if (!band_.advance(first, onward)) return std::nullopt;
-  BackwardLabel back{.low = to.z, .high = to.z, .ascent = 0, .free = to.z};
-  for (std::size_t i = way.size(); i-- > k + 1;)
-    if (!band_.advance(way[i], back)) return std::nullopt;
-  if (!band_.advance(second, back)) return std::nullopt;
-  const double low = std::max(onward.low, back.low);
-  const double high = std::min(onward.high, back.high);
-  if (low > high) return std::nullopt;
-  return Waypoint{.pose = second.start, .z = std::clamp(from.z + part * (to.z - from.z), low, high)};
+PlanarPose FlightLegs::pose_on(const PlanarPose& from, const PlanarPose& to, double part) const {
+  const DubinsPath path = shortest_dubins(from, to, radius_m());
+  return DubinsCursor(path).at(part * path.length_m);
 }
 
 bool FlightLegs::can_approach(const Waypoint& to) const {
@@ -137,17 +112,23 @@ bool FlightLegs::can_approach(const Waypoint& to) const {
   return band_.advance(reversed(away), label);
 }
 
-std::optional<Waypoint> FlightLegs::shot_to_goal(const Waypoint& from) const {
+std::optional<PlanarPose> FlightLegs::shot_to_goal(const PlanarPose& from) const {
   Track way;
-  append(way, shortest_dubins_to_point(from.pose, end_.place(), radius_m()));
+  append(way, shortest_dubins_to_point(from, end_.place(), radius_m()));
   cut_at_end(way, end_);
-  AltitudeLabel label = AltitudeLabel::at(from.z);
-  for (const PlanarPiece& piece : way)
-    if (!band_.advance(piece, label)) return std::nullopt;
+  return way.empty() ? std::nullopt : std::optional(way.back().end());
+}
+
+double FlightLegs::advance(const PlanarPose& from, const PlanarPose& to, AltitudeLabel& label) const {
+  const Track way = track(from, to);
+  return has_tiny_straight(way) ? std::numeric_limits<double>::infinity() : flight_cost_.advance(way, label);
+}
+
+double FlightLegs::arrive(const AltitudeLabel& label) const {
   const double low = std::max(label.low, end_.low());
   const double high = std::min(label.high, end_.high());
-  if (way.empty() || low > high) return std::nullopt;
-  return Waypoint{.pose = way.back().end(), .z = std::clamp(label.free, low, high)};
+  if (low > high) return std::numeric_limits<double>::infinity();
+  return weights_.climb * label.ascent_to(std::clamp(label.free, low, high));
 }
 
 Track FlightLegs::track_of(const Way& way) const {
@@ -163,22 +144,6 @@ std::optional<Route> FlightLegs::route(const Way& way) const {
   const Track all = track_of(way);
   if (all.empty() || has_tiny_straight(all)) return std::nullopt;
   return fly_track(band_, all, mission_.start, end_);
-}
-
-void FlightLegs::settle_altitudes(Way& way) const {
-  const auto flown = route(way);
-  if (!flown) return;
-  // Every piece of the track ends in a state; others are bends of the altitudes between them.
-  std::size_t state = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec2 place = way[i].pose.position();
-    constexpr double kSame_m = 1e-6;
-    std::size_t found = state + 1;
-    while (found < flown->states.size() && (flown->states[found].position.head<2>() - place).norm() > kSame_m) ++found;
-    if (found == flown->states.size()) return;
-    way[i].z = flown->states[found].position.z();
-    state = found;
-  }
 }
 
 }  // namespace alate::peers

@@ -40,7 +40,6 @@ class FlightLegs {
   bool can_fly(const Waypoint& from, const Waypoint& to) const;
   /// Length in space, climb between the ends, exposure as on a straight profile.
   double cost(const Waypoint& from, const Waypoint& to) const;
-  double cost(const Way& way) const;
   /// No leg between the two costs less.
   double least_cost(const Waypoint& from, const Waypoint& to) const;
   /// Nor does any way from here to the goal.
@@ -50,17 +49,20 @@ class FlightLegs {
 
   /// The altitudes that the band allows at a place; nothing where the ground is unknown or they are none.
   std::optional<std::pair<double, double>> altitudes(const PlanarPose& pose) const;
-  /// The point of a leg `part` of its length from its begin, at an altitude from which both ends can be reached.
-  std::optional<Waypoint> point_on(const Waypoint& from, const Waypoint& to, double part) const;
+  /// The pose of a leg `part` of its length from its begin.
+  PlanarPose pose_on(const PlanarPose& from, const PlanarPose& to, double part) const;
   /// Is the air behind the state open, as far as a turn needs it?
   bool can_approach(const Waypoint& to) const;
-  /// The nearest state in the goal's ball, whatever the heading there.
-  std::optional<Waypoint> shot_to_goal(const Waypoint& from) const;
+  /// The nearest pose in the goal's ball, by any heading.
+  std::optional<PlanarPose> shot_to_goal(const PlanarPose& from) const;
+
+  /// Onward over a leg whatever the altitudes: its cost without ascent, infinite if no altitude is left.
+  double advance(const PlanarPose& from, const PlanarPose& to, AltitudeLabel& label) const;
+  /// Cost of the ascent to the goal's ball; infinite if no altitude leads into it.
+  double arrive(const AltitudeLabel& label) const;
 
   /// The way with the least length and ascent that its ground track allows; nothing if it cannot be flown.
   std::optional<Route> route(const Way& way) const;
-  /// As far as the route over the way's track goes: its altitudes at the waypoints.
-  void settle_altitudes(Way& way) const;
   double cost(const Route& route) const { return objective_.route_cost(route); }
 
  private:

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "rivals.hpp"
 #include "shortcuts.hpp"
@@ -59,14 +60,13 @@ class Restarts {
     og::PathSimplifier(problem_.information).reduceVertices(*path);
     ShorterWay way(legs_, way_of(path));
     shorten(way);
-    keep(std::move(way));
+    if (std::isfinite(way.cost())) keep(std::move(way));
   }
 
   /// A little, and a way that may become the best one much more.
   void shorten(ShorterWay& way) {
     shorten(way, kPatience);
-    if (way.cost() < kPromising * recorder_.best_cost()) shorten(way, kMostPatience);
-    way.settle();
+    if (way.cost() < kPromising * best_) shorten(way, kMostPatience);
   }
 
   void shorten(ShorterWay& way, int patience) {
@@ -88,19 +88,22 @@ class Restarts {
       else
         way.shortcut(random_);
     }
-    way.settle();
-    if (way.cost() < kNear * recorder_.best_cost()) recorder_.offer(way.way());
+    note(way);
     std::ranges::stable_sort(elites_, {}, &ShorterWay::cost);
   }
 
   void keep(ShorterWay way) {
-    if (way.cost() < kNear * recorder_.best_cost()) recorder_.offer(way.way());
+    note(way);
     elites_.push_back(std::move(way));
     std::ranges::stable_sort(elites_, {}, &ShorterWay::cost);
     if (elites_.size() > kElites) elites_.pop_back();
   }
 
-  static constexpr double kNear = 1.01;  ///< What is dearer before its altitudes are chosen is not the best after.
+  void note(const ShorterWay& way) {
+    if (way.cost() >= best_) return;
+    best_ = way.cost();
+    recorder_.offer(way.way());
+  }
 
   const FlightLegs& legs_;
   Recorder& recorder_;
@@ -108,6 +111,7 @@ class Restarts {
   FlightProblem problem_;
   ompl::RNG random_;
   std::vector<ShorterWay> elites_;
+  double best_ = std::numeric_limits<double>::infinity();
   std::size_t starts_ = 0;
   double patience_s_ = kFirstPatience_s;
   double polished_s_ = 0;
