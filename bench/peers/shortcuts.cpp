@@ -13,10 +13,11 @@ constexpr double kAtWaypoint = 0.3;  ///< Share of places that are waypoints.
 
 }  // namespace
 
-ShorterWay::ShorterWay(const FlightLegs& legs, Way way) : legs_(&legs), way_(std::move(way)) {
-  passages_.push_back({.label = AltitudeLabel::at(way_.front().z)});
-  total_ = fly(0, kInfinity);
-}
+ShorterWay::ShorterWay(const FlightLegs& legs, Way way)
+    : legs_(&legs),
+      way_(std::move(way)),
+      passages_{{.label = AltitudeLabel::at(way_.front().z)}},
+      total_(fly(0, kInfinity)) {}
 
 /// What the way costs, known anew from waypoint `first` on; infinite, as soon as that is clear, if `most` or more.
 double ShorterWay::fly(std::size_t first, double most) {

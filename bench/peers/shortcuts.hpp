@@ -45,7 +45,7 @@ class ShorterWay {
   const FlightLegs* legs_;
   Way way_;
   std::vector<Passage> passages_;  ///< At each waypoint.
-  double total_ = 0;
+  double total_;
 };
 
 }  // namespace alate::peers

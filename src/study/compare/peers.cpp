@@ -56,7 +56,7 @@ class PeerEar {
     const Json& time = member(json, "time_s");
     if (!time.is_number()) return false;
     const double time_s = time;
-    if (!(time_s >= 0 && time_s <= elapsed_s)) return false;
+    if (time_s < 0 || time_s > elapsed_s) return false;
     try {
       RouteBuilder builder(site_.frame, task_.name, "result");
       read_result(json, builder);
