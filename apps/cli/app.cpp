@@ -69,6 +69,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_planners(app, command);
   add_reproduce(app, command);
   add_study(app, command);
+  add_compare(app, command);
   add_scen(app, command);
   add_generate(app, command);
   add_init(app, command);

@@ -20,6 +20,7 @@ using Command = std::function<int(FaultList)>;
 
 void add_plan(CLI::App& app, Command& chosen);
 void add_replan(CLI::App& app, Command& chosen);
+void add_compare(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_planners(CLI::App& app, Command& chosen);
 void add_reproduce(CLI::App& app, Command& chosen);

@@ -59,15 +59,15 @@ int read_threads(const Text& text, FaultList& faults) {
   return static_cast<int>(read_whole("--threads", text, {.min = 1, .max = kMaxThreads}, faults).value_or(processors));
 }
 
-std::optional<double> read_positive(const std::string& option, const Text& text, const std::string& unit,
+std::optional<double> read_positive(const std::string& option, const Text& text, const PositiveLimits& limits,
                                     FaultList& faults) {
   if (!text) return std::nullopt;
   const auto value = parse<double>(*text);
-  if (value && std::isfinite(*value) && *value > 0) return value;
+  if (value && std::isfinite(*value) && *value > 0 && *value <= limits.max) return value;
   faults.add({.file = option,
               .value = text->empty() ? "nothing" : *text,
-              .limit = "> 0",
-              .unit = unit,
+              .limit = std::isfinite(limits.max) ? fmt::format("> 0, <= {}", limits.max) : "> 0",
+              .unit = limits.unit,
               .message = value ? "out of range" : "is not a number"});
   return std::nullopt;
 }

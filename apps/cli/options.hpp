@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,8 +58,13 @@ std::optional<std::uint64_t> read_whole(const std::string& option, const Text& t
 /// Of --threads; one a processor if it was not given.
 int read_threads(const Text& text, FaultList& faults);
 
+struct PositiveLimits {
+  std::string unit;
+  double max = std::numeric_limits<double>::infinity();
+};
+
 /// A finite number above zero.
-std::optional<double> read_positive(const std::string& option, const Text& text, const std::string& unit,
+std::optional<double> read_positive(const std::string& option, const Text& text, const PositiveLimits& limits,
                                     FaultList& faults);
 
 /// The value of something that must be on the line; empty, with a fault, if it is not.

@@ -55,7 +55,7 @@ PlanOptions read_options(const PlanLine& line, FaultList& faults) {
   if (line.bound) options.request.settings.push_back({.name = "bound", .text = *line.bound, .file = "--bound"});
   options.threads = read_threads(line.threads, faults);
   options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
-  options.run.time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults);
+  options.run.time_limit_s = read_positive("--time-limit", line.time_limit, {.unit = "s"}, faults);
   options.run.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);
   options.prefer = read_preference(line.prefer, faults);
   options.front = line.front;

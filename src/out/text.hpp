@@ -16,6 +16,9 @@ std::string xml_escape(std::string_view text);
 /// Shortest decimal that reads back as the same number; empty for nothing and for numbers that are not finite.
 std::string round_trip(const std::optional<double>& number);
 
+/// A cell of CSV: quoted where a reader would take it for more than one, and never a formula.
+std::string csv_cell(const std::string& text);
+
 std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace alate

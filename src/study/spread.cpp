@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 
 #include "study/statistics.hpp"
 
@@ -30,6 +31,12 @@ std::optional<Spread> spread_of(std::vector<double> values) {
   spread.outliers.assign(values.begin(), first);
   spread.outliers.insert(spread.outliers.end(), last, values.end());
   return spread;
+}
+
+double lower_median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::infinity();
+  std::ranges::sort(values);
+  return values[(values.size() - 1) / 2];
 }
 
 std::optional<double> mean_margin(const std::vector<double>& values) {

@@ -13,7 +13,7 @@ TEST(Usage, TellsItsVersion) {
 
 TEST(Usage, HelpsWithAnExampleInEveryCommand) {
   EXPECT_EQ(alate({"--help"}).code, 0);
-  for (const char* command : {"plan", "check", "planners", "init", "schema"}) {
+  for (const char* command : {"plan", "check", "planners", "compare", "init", "schema"}) {
     const Finished done = alate({command, "--help"});
     EXPECT_EQ(done.code, 0) << command;
     expect_contains(done.out, {"Example:", std::string("alate ") + command});

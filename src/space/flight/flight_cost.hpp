@@ -23,9 +23,10 @@ class FlightCost {
   /// Advances the label; its cost without ascent, infinite if no altitude is left.
   double advance(const PlanarPiece& piece, AltitudeLabel& label) const;
   double advance(const Track& track, AltitudeLabel& label) const;
+  /// Metres of exposure, at altitudes that change evenly along the piece; not weighed.
+  double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
 
  private:
-  double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
 
   const BandWalk& band_;
   ObjectiveSpec weights_;

@@ -84,8 +84,7 @@ class Analyst {
         of_seeds.push_back(record.valid ? record.cost : std::numeric_limits<double>::infinity());
       }
       if (analysis_.by_scenario) {
-        std::ranges::sort(of_seeds);
-        costs.push_back(of_seeds[(of_seeds.size() - 1) / 2]);  // The lower median: a mean with infinity is none.
+        costs.push_back(lower_median(std::move(of_seeds)));
       } else {
         for (std::size_t i = 0; i < seeds; ++i) costs.push_back(of_seeds[own == 1 ? 0 : i]);
       }

@@ -36,7 +36,7 @@ std::optional<Convergence::Point> point_at(const MethodFigures& method, std::uin
   }
   const auto spread = spread_of(std::move(gaps));
   if (!spread) return std::nullopt;
-  return Convergence::Point{.iteration = iteration,
+  return Convergence::Point{.at = static_cast<double>(iteration),
                             .best = spread->median,
                             .least = spread->lower_quartile,
                             .greatest = spread->upper_quartile};

@@ -10,21 +10,11 @@ namespace alate {
 
 namespace {
 
-/// Quoted where a reader of CSV would take it for more than one cell, and never a formula.
-std::string cell(const std::string& text) {
-  const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
-  std::string shown = formula ? "'" + text : text;
-  if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
-  std::string quoted;
-  for (const char c : shown) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return fmt::format("\"{}\"", quoted);
-}
-
 /// scenario,planner,preset,seed,budget
 std::string job_cells(const Study& study, const StudyJob& job) {
   const StudyPlanner& planner = study.planners[job.planner];
-  return fmt::format("{},{},{},{},{}", cell(study.scenarios[job.scenario].name), cell(planner.name),
-                     cell(planner.preset), job.seed, study.budgets[job.budget].text());
+  return fmt::format("{},{},{},{},{}", csv_cell(study.scenarios[job.scenario].name), csv_cell(planner.name),
+                     csv_cell(planner.preset), job.seed, study.budgets[job.budget].text());
 }
 
 /// length,height_dev,turns,composite
@@ -45,8 +35,8 @@ std::string row(const Study& study, const StudyJob& job, const StudyRecord& reco
 }
 
 std::string refused_row(const StudyPlanner& planner, const StudyScenario& scenario) {
-  return fmt::format("{},{},{},,,refused,,,,,,,,,,false\n", cell(scenario.name), cell(planner.name),
-                     cell(planner.preset));
+  return fmt::format("{},{},{},,,refused,,,,,,,,,,false\n", csv_cell(scenario.name), csv_cell(planner.name),
+                     csv_cell(planner.preset));
 }
 
 }  // namespace

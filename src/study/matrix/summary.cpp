@@ -11,6 +11,7 @@
 #include "study/machine.hpp"
 #include "study/matrix/by_group.hpp"
 #include "study/matrix/study_parts.hpp"
+#include "study/spread.hpp"
 
 namespace alate {
 
@@ -25,13 +26,6 @@ struct Cell {
   std::vector<double> times_s;
   std::size_t valid = 0;
 };
-
-/// The lower one, as a mean with infinity is none.
-double median(std::vector<double> values) {
-  if (values.empty()) return kNever;
-  std::ranges::sort(values);
-  return values[(values.size() - 1) / 2];
-}
 
 std::string time_text(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.0f} µs", std::max(1.0, 1e6 * seconds));
@@ -139,7 +133,7 @@ class Summary {
   /// The share of valid routes is told where it is not all.
   static std::string gap_text(const Cell& cell) {
     if (cell.gaps.empty()) return "";
-    const double middle = median(cell.gaps);
+    const double middle = lower_median(cell.gaps);
     std::string gap = middle < kNever ? signed_text(middle) : "–";
     if (cell.valid == cell.gaps.size()) return gap;
     const double share = 100 * static_cast<double>(cell.valid) / static_cast<double>(cell.gaps.size());
@@ -149,7 +143,7 @@ class Summary {
   std::string near_text(std::size_t planner) const {
     double least = kNever;
     for (const Cell& cell : cells_[planner])
-      if (median(cell.gaps) <= kNear) least = std::min(least, median(cell.times_s));
+      if (lower_median(cell.gaps) <= kNear) least = std::min(least, lower_median(cell.times_s));
     return least < kNever ? time_text(least) : "–";
   }
 

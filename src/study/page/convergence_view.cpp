@@ -47,7 +47,7 @@ std::optional<Convergence::Point> point_at(const Trial& trial, const std::option
   }
   const auto of_best = summarize(best);
   const auto of_mean = summarize(mean);
-  return Convergence::Point{.iteration = iteration,
+  return Convergence::Point{.at = static_cast<double>(iteration),
                             .best = of_best->mean,
                             .least = of_best->least,
                             .greatest = of_best->greatest,
@@ -59,9 +59,7 @@ struct LogAxes {
   Scale x;
   Scale y;
 
-  Vec2 at(std::size_t iteration, double percent) const {
-    return {x(std::log10(static_cast<double>(iteration))), y(std::log10(percent))};
-  }
+  Vec2 at(double place, double percent) const { return {x(std::log10(place)), y(std::log10(percent))}; }
 };
 
 /// 1, 2, 5, 10, ... within the scale.
@@ -75,7 +73,7 @@ std::vector<double> log_ticks(const Scale& scale) {
   return values;
 }
 
-void draw_grid(Svg& svg, const LogAxes& axes) {
+void draw_grid(Svg& svg, const LogAxes& axes, const ConvergenceAxes& titles) {
   const Vec2 end = kArea.corner + kArea.size;
   for (const double value : log_ticks(axes.x)) {
     const double x = axes.x(std::log10(value));
@@ -87,8 +85,8 @@ void draw_grid(Svg& svg, const LogAxes& axes) {
     svg.line({kArea.corner.x(), y}, {end.x(), y}, "grid");
     svg.text({kArea.corner.x() - 8, y + 5}, fmt::format("{:g}", value), "tick", Anchor::end);
   }
-  svg.text({end.x(), end.y() + 44}, "iteration", "axis", Anchor::end);
-  svg.text({4, kArea.corner.y() - 14}, "% above the bound", "axis");
+  svg.text({end.x(), end.y() + 44}, titles.x_title, "axis", Anchor::end);
+  svg.text({4, kArea.corner.y() - 14}, titles.y_title, "axis");
 }
 
 /// Broken where no ant arrived.
@@ -100,7 +98,7 @@ void draw_means(Svg& svg, const LogAxes& axes, const Convergence& line) {
   };
   for (const Convergence::Point& point : line.points) {
     if (point.mean)
-      run.push_back(axes.at(point.iteration, *point.mean));
+      run.push_back(axes.at(point.at, *point.mean));
     else
       finish();
   }
@@ -109,15 +107,14 @@ void draw_means(Svg& svg, const LogAxes& axes, const Convergence& line) {
 
 void draw_best(Svg& svg, const LogAxes& axes, const Convergence& line) {
   std::vector<Vec2> best;
-  for (const Convergence::Point& point : line.points) best.push_back(axes.at(point.iteration, point.best));
+  for (const Convergence::Point& point : line.points) best.push_back(axes.at(point.at, point.best));
   svg.polyline(best, "best " + line.css_class);
 }
 
 void draw_band(Svg& svg, const LogAxes& axes, const Convergence& line) {
   std::vector<Vec2> outline;
-  for (const auto& point : line.points) outline.push_back(axes.at(point.iteration, point.least));
-  for (const auto& point : std::views::reverse(line.points))
-    outline.push_back(axes.at(point.iteration, point.greatest));
+  for (const auto& point : line.points) outline.push_back(axes.at(point.at, point.least));
+  for (const auto& point : std::views::reverse(line.points)) outline.push_back(axes.at(point.at, point.greatest));
   svg.polygon(outline, "seeds " + line.css_class);
 }
 
@@ -150,16 +147,16 @@ PercentRange percent_range(const std::vector<std::vector<Convergence>>& diagrams
   return range;
 }
 
-std::string convergence_svg(const std::vector<Convergence>& lines, const PercentRange& range,
-                            const std::string& title) {
-  std::size_t last = 2;
+std::string convergence_svg(const std::vector<Convergence>& lines, const PercentRange& range, const std::string& title,
+                            const ConvergenceAxes& titles) {
+  double last = 2 * titles.from;
   for (const Convergence& line : lines)
-    if (!line.points.empty()) last = std::max(last, line.points.back().iteration);
+    if (!line.points.empty()) last = std::max(last, line.points.back().at);
   Svg svg(kWidth, kHeight, title);
   const Vec2 end = kArea.corner + kArea.size;
-  const LogAxes axes{.x = {0, std::log10(static_cast<double>(last)), kArea.corner.x(), end.x()},
+  const LogAxes axes{.x = {std::log10(titles.from), std::log10(last), kArea.corner.x(), end.x()},
                      .y = {std::log10(range.from), std::log10(range.to), end.y(), kArea.corner.y()}};
-  draw_grid(svg, axes);
+  draw_grid(svg, axes, titles);
   svg.begin_clip(kArea.corner, kArea.size);
   for (const Convergence& line : lines) draw_band(svg, axes, line);
   for (const Convergence& line : lines) draw_means(svg, axes, line);

@@ -1,4 +1,4 @@
-// How a colony gets better, iteration by iteration, over its seeds.
+// How planners get better, iteration by iteration or with time, over their seeds.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace alate {
 /// The runs of one method on one case, as a line with its band. Costs are percent above the lower bound.
 struct Convergence {
   struct Point {
-    std::size_t iteration = 0;  ///< From 1.
-    double best = 0;            ///< Best so far, mean over the seeds.
-    double least = 0;           ///< Over the seeds.
+    double at = 0;     ///< Iteration, from 1, or seconds.
+    double best = 0;   ///< Best so far, mean over the seeds.
+    double least = 0;  ///< Over the seeds.
     double greatest = 0;
     std::optional<double> mean;  ///< Of the ants that arrived since the last point, mean over iterations and seeds.
   };
@@ -35,7 +35,15 @@ struct PercentRange {
 /// Holds the best costs and the bands of all lines.
 PercentRange percent_range(const std::vector<std::vector<Convergence>>& diagrams);
 
+/// What is told along the axes.
+struct ConvergenceAxes {
+  double from = 1;  ///< Where the lower axis begins.
+  std::string x_title = "iteration";
+  std::string y_title = "% above the bound";
+};
+
 /// A small diagram with logarithmic axes; what lies outside the range is cut off.
-std::string convergence_svg(const std::vector<Convergence>& lines, const PercentRange& range, const std::string& title);
+std::string convergence_svg(const std::vector<Convergence>& lines, const PercentRange& range, const std::string& title,
+                            const ConvergenceAxes& titles = {});
 
 }  // namespace alate
