@@ -185,7 +185,7 @@ int replan(const ReplanLine& line, FaultList faults) {
   const auto at_s = read_time(line.at, faults);
   const int threads = read_threads(line.threads, faults);
   RunOptions options{.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults),
-                     .time_limit_s = read_positive("--time-limit", line.time_limit, "s", faults),
+                     .time_limit_s = read_positive("--time-limit", line.time_limit, {.unit = "s"}, faults),
                      .seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed),
                      .stop = interrupt.token()};
   refuse_start(line.overrides, faults);

@@ -143,7 +143,7 @@ Track FlightLegs::track_of(const Way& way) const {
 std::optional<Route> FlightLegs::route(const Way& way) const {
   const Track all = track_of(way);
   if (all.empty() || has_tiny_straight(all)) return std::nullopt;
-  return fly_track(band_, all, mission_.start, end_);
+  return fly_track(flight_cost_, all, mission_.start, end_);
 }
 
 }  // namespace alate::peers

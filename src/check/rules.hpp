@@ -25,11 +25,11 @@ RuleReport judge_threat_core(const Flight& flight);
 
 /// Radius for which each turn has room: a circle of radius r rounds a corner of theta between straight legs from
 /// r tan(theta/2) before it to as much behind it, and two corners may not overlap on the leg between them. So a leg of
-/// length L has room for r = L / (tan(theta1/2) + tan(theta2/2)), and a corner has that of the tighter of its legs. Legs
-/// without planar length are passed over. The start's heading, if given, takes room of the first leg alone. An arc has its own radius and gives no room: a
-/// change of heading where it joins, or a gap there, counts as radius 0. Without any turn the radius is 1e9 m.
-/// Headings and lengths are those in the plane; in space where the turn radius is the navigation's (Zhou et al. 2020,
-/// problem 2), and on routes with an arc in a tilted plane.
+/// length L has room for r = L / (tan(theta1/2) + tan(theta2/2)), and a corner has that of the tighter of its legs.
+/// Legs without planar length are passed over. The start's heading, if given, takes room of the first leg alone. An arc
+/// has its own radius and gives no room: a change of heading where it joins, or a gap there, counts as radius 0.
+/// Without any turn the radius is 1e9 m. Headings and lengths are those in the plane; in space where the turn radius is
+/// the navigation's (Zhou et al. 2020, problem 2), and on routes with an arc in a tilted plane.
 RuleReport judge_turn(const Flight& flight);
 
 /// Angle of each leg to the horizontal.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "alate/core/along_route.hpp"
 #include "search/interval/flight_path.hpp"
 #include "search/interval/flight_profile.hpp"
 #include "space/objective.hpp"
@@ -23,17 +24,6 @@ Site site_towards(const Site& site, const Vec3& place, double tolerance_m) {
 }
 
 }  // namespace
-
-double flown_length(const Route& route) {
-  double sum = 0;
-  for (std::size_t i = 1; i < route.states.size(); ++i) {
-    const Segment leg = route.segment(i);
-    const auto& arc = route.states[i].arc;
-    const double planar = arc ? arc->radius_m * std::abs(arc->angle_rad) : (leg.b - leg.a).head<2>().norm();
-    sum += std::hypot(planar, leg.b.z() - leg.a.z());
-  }
-  return sum;
-}
 
 struct CorrectionLegs::Target {
   Target(const Site& site, const Vec3& place, double tolerance_m, RunContext& run)

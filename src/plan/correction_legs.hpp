@@ -18,9 +18,6 @@ struct FlownLeg {
   double cost = 0;
 };
 
-/// Length of a route of straight legs and arcs about upright axes.
-double flown_length(const Route& route);
-
 /// Flies to any place of one site by the interval search. What is known of a place (the climb field above all) is kept.
 class CorrectionLegs {
  public:

@@ -89,15 +89,5 @@ TEST(CorrectionFlight, FliesTheExample) {
   EXPECT_GT(points_of(plan.route).size(), 3U);
 }
 
-TEST(FlownLength, IsThatOfStraightLegsAndHelices) {
-  Route route;
-  route.states = {{.position = {0, 0, 0}, .leg = LegKind::start},
-                  {.position = {300, 0, 400}, .leg = LegKind::straight},
-                  {.position = {300, 200, 400},
-                   .leg = LegKind::arc,
-                   .arc = Arc{.center = {300, 100}, .radius_m = 100, .angle_rad = -kPi, .plane = {}}}};
-  EXPECT_NEAR(flown_length(route), 500 + 100 * kPi, 1e-9);
-}
-
 }  // namespace
 }  // namespace alate

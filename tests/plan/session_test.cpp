@@ -7,6 +7,7 @@
 #include "alate/data/scenario_file.hpp"
 #include "alate/plan/session.hpp"
 #include "search/interval/track_of.hpp"
+#include "space/flight/band_walk.hpp"
 #include "support/fly.hpp"
 
 namespace alate {
@@ -160,7 +161,7 @@ TEST(Session, RefusesWhatThePlannerRefuses) {
 TEST(TrackOf, IsTheTrackAgain) {
   const Site site = jacksboro_site();
   const Plan plan = test::fly(site, {.name = "interval-astar"}, {.iterations = 2});
-  const Track track = track_of(plan.route, *site.vehicle.turn_radius_m);
+  const Track track = track_of(plan.route, BandWalk(World(site)).radius_m());
   double planar = 0;
   for (std::size_t i = 1; i < plan.route.states.size(); ++i) {
     const auto& arc = plan.route.states[i].arc;

@@ -44,7 +44,7 @@ Actions walk(const FlightAnts& ants, std::uint64_t seed) {
   Choices choices;
   for (int trial = 0; trial < 100; ++trial) {
     Actions actions{0};
-    FlightState state = ants.next(ants.start(), 0);
+    FlightNode state = ants.next(ants.start(), 0);
     for (int look = 0; look < 1000 && !FlightAnts::is_goal(state); ++look) {
       ants.look(state, choices);
       std::size_t action = kShot;
@@ -54,7 +54,7 @@ Actions walk(const FlightAnts& ants, std::uint64_t seed) {
           if (choices.cost[k] + choices.guide[k] < choices.cost[action] + choices.guide[action]) action = k;
         if (random.uniform() < 0.3) action = random.below(kShot);
       }
-      const FlightState to = ants.next(state, action);
+      const FlightNode to = ants.next(state, action);
       if (!FlightAnts::is_free(state, to)) continue;
       actions.push_back(static_cast<std::uint32_t>(action));
       state = to;
@@ -66,7 +66,7 @@ Actions walk(const FlightAnts& ants, std::uint64_t seed) {
 
 std::vector<Eigen::Vector3f> moves_of(const FlightAnts& ants, const Actions& actions) {
   std::vector<Eigen::Vector3f> moves;
-  FlightState state = ants.start();
+  FlightNode state = ants.start();
   for (const std::uint32_t action : actions) {
     state = ants.next(state, action);
     moves.push_back(FlightAnts::place(state));
@@ -80,10 +80,10 @@ TEST(FlightAnts, SeeWhatTheyWillFly) {
     Choices choices;
     int seen = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      FlightState state = sky.ants.start();
+      FlightNode state = sky.ants.start();
       for (const std::uint32_t action : walk(sky.ants, seed)) {
         sky.ants.look(state, choices);
-        const FlightState to = sky.ants.next(state, action);
+        const FlightNode to = sky.ants.next(state, action);
         // The threat is priced at one altitude along the move, where the flight may have to climb.
         EXPECT_NEAR(choices.cost[action], to.cost, 0.02 * to.cost + 1e-3);
         EXPECT_EQ(Eigen::Vector3f(choices.x[action], choices.y[action], choices.z[action]), FlightAnts::place(to));

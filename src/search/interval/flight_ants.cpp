@@ -181,14 +181,14 @@ void FlightAnts::fly_piece(const PlanarPiece& piece, State& state) const {
 }
 
 void FlightAnts::fly_known(std::size_t index, State& state) const {
-  const KnownFlight& flight = known_[index % 2];
+  const LearntFlight& flight = known_[index % 2];
   fly_piece(known_piece(index), state);
   if (index / 2 + 1 < flight.pieces.size() || !(state.cost < kInfinity)) return;
   state.cost += arrival(state.label, flight.end);
   state.phase = State::Phase::arrived;
 }
 
-FlightState FlightAnts::next(const State& state, std::size_t action) const {
+FlightNode FlightAnts::next(const State& state, std::size_t action) const {
   State to = state;
   if (is_known(static_cast<std::uint32_t>(action))) {
     const std::size_t index = action - kKnown;
@@ -250,7 +250,7 @@ Track FlightAnts::track(std::span<const std::uint32_t> actions) const {
 
 std::vector<std::uint32_t> FlightAnts::learn(const Track& track, const FlightEnd& end) {
   learnt_ ^= 1U;
-  KnownFlight& flight = known_[learnt_];
+  LearntFlight& flight = known_[learnt_];
   flight = {.pieces = {}, .end = end};
   for (const PlanarPiece& piece : track)
     append_cut(flight.pieces, piece,

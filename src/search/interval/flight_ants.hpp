@@ -19,7 +19,7 @@
 namespace alate {
 
 /// Where an ant is, with every altitude that it may have there.
-struct FlightState {
+struct FlightNode {
   enum class Phase : unsigned char { chooses_heading, flies, arrived };
 
   PlanarPose pose;
@@ -32,7 +32,7 @@ struct FlightState {
 
 /// A flight of any pieces that is known already. Its moves can be told as actions, so that ants can follow it and its
 /// moves can carry trails.
-struct KnownFlight {
+struct LearntFlight {
   Track pieces;
   FlightEnd end;
 };
@@ -52,7 +52,7 @@ struct FlightEnds {
 /// Actions from 0: poses to start in, primitives, the shot. From `kKnown` on: pieces of known flights.
 class FlightAnts {
  public:
-  using State = FlightState;
+  using State = FlightNode;
 
   /// `cost` and `to_go` must outlive this. At most as many poses as there are lanes in Choices.
   FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightEnds ends, const FlightAntsOptions& options);
@@ -119,7 +119,7 @@ class FlightAnts {
   FlightAntsOptions options_;
   double threat_weight_;
   std::array<Primitive, kPrimitives> primitives_{};
-  std::array<KnownFlight, 2> known_;  ///< Ants may still follow the one when the other is learnt.
+  std::array<LearntFlight, 2> known_;  ///< Ants may still follow the one when the other is learnt.
   std::size_t learnt_ = 0;
 };
 

@@ -27,7 +27,6 @@ class FlightCost {
   double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
 
  private:
-
   const BandWalk& band_;
   ObjectiveSpec weights_;
 };
