@@ -10,12 +10,16 @@ namespace alate {
 
 namespace {
 
-/// Every ranks-th of the jobs without a record.
+/// Every ranks-th of the jobs without a record, each time one further on: else a rank might get all the runs of the
+/// slowest planner.
 std::vector<std::size_t> share_of(const StudyRecords& records, const StudyOptions& options) {
   std::vector<std::size_t> share;
   std::size_t left = 0;
   for (std::size_t job = 0; job < records.size(); ++job)
-    if (!records[job] && left++ % options.ranks == options.rank) share.push_back(job);
+    if (!records[job]) {
+      if ((left + left / options.ranks) % options.ranks == options.rank) share.push_back(job);
+      ++left;
+    }
   return share;
 }
 
