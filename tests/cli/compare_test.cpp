@@ -26,8 +26,8 @@ TEST(Compare, TellsWhoIsBestInWordsAsJsonAndAsAPage) {
   const TempFolder folder;
   const Finished done = alate(words({"--out", (folder / "out").string()}), kTurning);
   ASSERT_EQ(done.code, 0) << done.err;
-  expect_contains(done.out, {" is best", "Median cost", "only ours are compared", "Cannot plan this",
-                             "label-setting", "compare.html", "rows.csv", "result.json"});
+  expect_contains(done.out, {" is best", "Median cost", "only ours are compared", "Cannot plan this", "label-setting",
+                             "compare.html", "rows.csv", "result.json"});
   expect_contains(read_file(folder / "out/compare.html"),
                   {"<!DOCTYPE html>", "Cost against time", "Routes of interval-astar", "&lt;script&gt;"});
   EXPECT_EQ(read_file(folder / "out/compare.html").find("<script>"), std::string::npos);
