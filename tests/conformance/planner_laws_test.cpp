@@ -189,6 +189,14 @@ TEST_P(PlannerLaws, ACancelledRunEndsAtOnceWithoutARoute) {
   EXPECT_FALSE(plan.why.empty());
 }
 
+/// How long a planner may go on between two looks at the clock, in seconds; the thread sanitizer makes all some ten
+/// times slower.
+#ifdef __SANITIZE_THREAD__
+constexpr double kGrace_s = 0.5;
+#else
+constexpr double kGrace_s = 0.1;
+#endif
+
 TEST_P(PlannerLaws, ADeadlineHoldsAndLeavesAValidBestOrNothing) {
   constexpr int kThreads = 2;
   for (const double limit_s : {0.001, 0.02, 0.1}) {
@@ -196,7 +204,7 @@ TEST_P(PlannerLaws, ADeadlineHoldsAndLeavesAValidBestOrNothing) {
     const std::clock_t start = std::clock();
     const Plan plan = run({.iterations = 1000000000, .time_limit_s = limit_s}, kThreads);
     const double used_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    EXPECT_LT(used_s, kThreads * limit_s + 0.1);
+    EXPECT_LT(used_s, kThreads * limit_s + kGrace_s);
     EXPECT_EQ(plan.reproducible, plan.stop == Stop::finished);
     if (plan.outcome != Outcome::none_found) expect_passes(plan.route);
   }
