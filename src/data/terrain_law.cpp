@@ -56,8 +56,14 @@ void carve(DrawnTerrain& terrain, const Vec2& a, const Vec2& b) {
     }
 }
 
-/// A bend from `from` to `to`, whose tangents meet at `corner`: a parabola; and the dead end beyond the corner.
-void carve_bend(DrawnTerrain& terrain, const Vec2& from, const Vec2& corner, const Vec2& to, double dead_end_m) {
+/// A parabola whose tangents meet at `corner`, and a dead end beyond it.
+struct Bend {
+  Vec2 from, corner, to;
+  double dead_end_m = 0;
+};
+
+void carve(DrawnTerrain& terrain, const Bend& bend) {
+  const auto& [from, corner, to, dead_end_m] = bend;
   constexpr int kPieces = 16;
   Vec2 before = from;
   for (int i = 1; i <= kPieces; ++i) {
@@ -87,7 +93,7 @@ DrawnTerrain draw_canyon(int side, std::uint64_t seed) {
   for (std::size_t i = 1; i < bends; ++i) {
     const Vec2 from = i == 1 ? corners[0] : Vec2(0.5 * (corners[i - 1] + corners[i]));
     const Vec2 to = i + 1 == bends ? corners[bends] : Vec2(0.5 * (corners[i] + corners[i + 1]));
-    carve_bend(terrain, from, corners[i], to, kDeadEnd_m * (0.5 + random.uniform()));
+    carve(terrain, Bend{from, corners[i], to, kDeadEnd_m * (0.5 + random.uniform())});
   }
   constexpr double kRough_m = 40;
   const GradientNoise rough(250, width, Stream(seed, 1, 0));

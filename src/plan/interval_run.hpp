@@ -12,7 +12,7 @@ namespace alate {
 
 /// One world, as flights through it are walked and judged. Its parts refer to each other, so it stays where it is.
 struct FlightAir {
-  explicit FlightAir(const World& of) : world(of) {}
+  explicit FlightAir(World of) : world(std::move(of)) {}
   FlightAir(const FlightAir&) = delete;
   FlightAir& operator=(const FlightAir&) = delete;
 

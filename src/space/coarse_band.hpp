@@ -43,7 +43,8 @@ class CoarseBand {
         const int i = std::clamp(static_cast<int>(corner.x()) + di, 0, columns_ - 1);
         const int j = std::clamp(static_cast<int>(corner.y()) + dj, 0, rows_ - 1);
         const double weight = (di == 0 ? 1 - part.x() : part.x()) * (dj == 0 ? 1 - part.y() : part.y());
-        const double here = value(static_cast<std::size_t>(j * columns_ + i));
+        const int cell = j * columns_ + i;
+        const double here = value(static_cast<std::size_t>(cell));
         if (std::isinf(here) || weight <= 0) continue;
         sum += weight * here;
         weights += weight;

@@ -23,9 +23,11 @@ class BinPages {
   }
 
   std::uint32_t& at(int column, int row, int heading) {
-    std::uint32_t& number = page_of_[static_cast<std::size_t>(row / kSide * pages_across_ + column / kSide)];
+    const int page = row / kSide * pages_across_ + column / kSide;
+    std::uint32_t& number = page_of_[static_cast<std::size_t>(page)];
     if (number == kNone) number = next_page();
-    return pages_[number][static_cast<std::size_t>((row % kSide * kSide + column % kSide) * kHeadings + heading)];
+    const int bin = (row % kSide * kSide + column % kSide) * kHeadings + heading;
+    return pages_[number][static_cast<std::size_t>(bin)];
   }
 
  private:
