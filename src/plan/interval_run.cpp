@@ -27,8 +27,8 @@ FlightEnd end_at(FlightEnd end, const Vec2& place) {
 
 }  // namespace
 
-IntervalRun::IntervalRun(const FlightAir& air, const Mission& mission, RunContext& run, Route before)
-    : air_(air), mission_(mission), run_(run), before_(std::move(before)), random_(run.seed(), 0, 0) {}
+IntervalRun::IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before)
+    : air_(air), mission_(std::move(mission)), run_(run), before_(std::move(before)), random_(run.seed(), 0, 0) {}
 
 FlightEnd IntervalRun::end() const { return flight_end(mission_.goal, mission_.tolerance_m); }
 

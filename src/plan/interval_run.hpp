@@ -37,7 +37,7 @@ class IntervalRun {
   static constexpr IntervalPass kHasty{2.5, 1};
 
   /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
-  IntervalRun(const FlightAir& air, const Mission& mission, RunContext& run, Route before = {});
+  IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before = {});
 
   /// The end of the flight, with the usual share of the goal's ball spent on altitude.
   FlightEnd end() const;

@@ -74,9 +74,10 @@ TEST(ShelteredProfile, TheTubeKeepsTheSlopeLimitsAndItsEnds) {
   int open = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Stream random(seed, 0, 0);
-    const std::vector<Gate> gates = random_gates(random);
+    std::vector<Gate> gates = random_gates(random);
     const double low = gates.back().floor + 20;
-    const std::vector<Gate> tube = tube_of(gates, 50, low, low + 30, kSlopes);
+    gates.back() = {gates.back().at_m, low, low + 30};
+    const std::vector<Gate> tube = tube_of(gates, 50, kSlopes);
     if (tube.empty()) continue;
     ++open;
     std::vector<double> floors;
@@ -96,9 +97,8 @@ TEST(ShelteredProfile, TheTubeKeepsTheSlopeLimitsAndItsEnds) {
 }
 
 TEST(ShelteredProfile, NoTubeWhereTheEndIsTooHigh) {
-  const std::vector<Gate> gates{{0, 0, 500}, {1000, 0, 500}};
-  EXPECT_TRUE(tube_of(gates, 50, 201, 500, kSlopes).empty());
-  EXPECT_FALSE(tube_of(gates, 50, 199, 500, kSlopes).empty());
+  EXPECT_TRUE(tube_of({{0, 0, 500}, {1000, 201, 500}}, 50, kSlopes).empty());
+  EXPECT_FALSE(tube_of({{0, 0, 500}, {1000, 199, 500}}, 50, kSlopes).empty());
 }
 
 TEST(ShelteredProfile, NoRandomProfileIsCheaper) {
@@ -108,7 +108,7 @@ TEST(ShelteredProfile, NoRandomProfileIsCheaper) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Stream random(seed, 1, 0);
     const std::vector<Gate> gates = random_gates(random);
-    const std::vector<Gate> tube = tube_of(gates, 50, gates.back().floor, gates.back().ceiling, kSlopes);
+    const std::vector<Gate> tube = tube_of(gates, 50, kSlopes);
     if (tube.empty()) continue;
     const std::vector<double> best = string_through(sheltered_lane(tube, kStep_m, kSlopes, prices));
     EXPECT_TRUE(keeps_slopes(tube, best)) << seed;
@@ -130,7 +130,7 @@ TEST(ShelteredProfile, WithoutExposureTheStringIsAsGood) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Stream random(seed, 2, 0);
     const std::vector<Gate> gates = random_gates(random);
-    const std::vector<Gate> tube = tube_of(gates, 50, gates.back().floor, gates.back().ceiling, kSlopes);
+    const std::vector<Gate> tube = tube_of(gates, 50, kSlopes);
     if (tube.empty()) continue;
     const double lane = cost_of(tube, string_through(sheltered_lane(tube, kStep_m, kSlopes, prices)), prices);
     std::vector<Gate> same_end = tube;

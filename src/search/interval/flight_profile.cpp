@@ -112,7 +112,10 @@ std::optional<Route> fly_track(const FlightCost& cost, const Track& track, const
   const std::vector<Gate> gates = gates_of(cost.band(), track);
   Route route = route_over(track, taut_string(gates, start.z(), std::clamp(label.free, low, high)), start);
   if (std::ranges::none_of(track, [&](const PlanarPiece& piece) { return cost.near_threat(piece); })) return route;
-  const std::vector<Gate> tube = tube_of(gates, start.z(), low, high, cost.band().slopes());
+  std::vector<Gate> ending = gates;
+  ending.back().floor = std::max(ending.back().floor, low);
+  ending.back().ceiling = std::min(ending.back().ceiling, high);
+  const std::vector<Gate> tube = tube_of(std::move(ending), start.z(), cost.band().slopes());
   if (tube.empty()) return route;
   const Objective objective(cost.band().world());
   Route other = sheltered(cost, track, start, tube);

@@ -35,7 +35,7 @@ constexpr std::array<std::array<int, 2>, 16> kNeighbours{{{1, 0},
 
 }  // namespace
 
-ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, std::optional<Vec3> until)
+ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, const std::optional<Vec3>& until)
     : site_(&world.site()),
       slopes_(slopes),
       band_(world, run),
@@ -66,7 +66,7 @@ void ClimbField::set_metre_cost(std::size_t cell) {
         static_cast<float>(weights.length + weights.threat * band_.threat(cell, layer));
 }
 
-void ClimbField::grow(RunContext& run, std::optional<Vec3> until) {
+void ClimbField::grow(RunContext& run, const std::optional<Vec3>& until) {
   for (std::size_t pops = 1; !queue_.empty(); ++pops) {
     if (pops % kPollEvery == 0 && (!run.keep_going() || is_known(until, queue_.top().value))) break;
     const Queued top = queue_.top();

@@ -26,11 +26,11 @@ class ClimbField {
  public:
   /// For the physical objective, as far as `until`. Stops early, with what it has, when `run` says so. World must
   /// outlive this.
-  ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, std::optional<Vec3> until = {});
+  ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, const std::optional<Vec3>& until = {});
 
   /// Goes on as far as `until`, or everywhere. What is nearer to the goal than that is then known, and what is little
   /// farther; beyond it the field is infinite.
-  void grow(RunContext& run, std::optional<Vec3> until = {});
+  void grow(RunContext& run, const std::optional<Vec3>& until = {});
 
   /// Takes over to `world`, which has `added` threats more than the world before and differs in nothing else that
   /// guides. What is nearer to the goal than any of them stays; the rest is forgotten and grows anew when asked for.

@@ -103,10 +103,8 @@ class Programme {
 
 }  // namespace
 
-std::vector<Gate> tube_of(std::vector<Gate> gates, double z_from, double low, double high, const SlopeLimits& slopes) {
+std::vector<Gate> tube_of(std::vector<Gate> gates, double z_from, const SlopeLimits& slopes) {
   gates.front().floor = gates.front().ceiling = z_from;
-  gates.back().floor = std::max(gates.back().floor, low);
-  gates.back().ceiling = std::min(gates.back().ceiling, high);
   for (std::size_t i = 1; i < gates.size(); ++i) {
     const double ahead = gates[i].at_m - gates[i - 1].at_m;
     gates[i].floor = std::max(gates[i].floor, gates[i - 1].floor - ahead * slopes.descent);

@@ -9,10 +9,10 @@
 
 namespace alate {
 
-/// The altitudes of each gate that the start can reach and from which [low, high] at the last gate can be reached.
+/// The altitudes of each gate that can be reached from `z_from` at the first and from which the last can be reached.
 /// Floor and ceiling of the result keep the slope limits themselves, so any profile that keeps them still does when it
 /// is brought between the two. Empty if there is no profile.
-std::vector<Gate> tube_of(std::vector<Gate> gates, double z_from, double low, double high, const SlopeLimits& slopes);
+std::vector<Gate> tube_of(std::vector<Gate> gates, double z_from, const SlopeLimits& slopes);
 
 struct ProfilePrices {
   double length = 1;  ///< Of a metre flown.
