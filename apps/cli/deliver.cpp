@@ -43,6 +43,11 @@ void show(const Result& result, const Delivery& delivery) {
 
 }  // namespace
 
+void add_delivery_options(CLI::App& command, Delivery& delivery) {
+  add_text(command, "--out", delivery.out, "folder for the report, mission files and result.json");
+  command.add_flag("--json", delivery.json, "result as JSON on standard output, and nothing else");
+}
+
 Result result_of(const Site& site, const ChosenPlanner& planner, Plan plan) {
   Result result{.site = site, .planner = planner, .plan = std::move(plan)};
   result.metrics = measure(site, result.plan.route);

@@ -13,6 +13,9 @@ struct Delivery {
   bool json = false;
 };
 
+/// --out and --json.
+void add_delivery_options(CLI::App& command, Delivery& delivery);
+
 /// Metrics, verdict and warnings of a plan.
 Result result_of(const Site& site, const ChosenPlanner& planner, Plan plan);
 

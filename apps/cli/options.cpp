@@ -72,6 +72,21 @@ std::optional<double> read_positive(const std::string& option, const Text& text,
   return std::nullopt;
 }
 
+void add_run_options(CLI::App& command, RunLine& line, const std::string& iterations) {
+  add_text(command, "--seed", line.seed, "seed of all random numbers (default 1)");
+  add_text(command, "--threads", line.threads, "threads, 1 to 1024 (default: one a processor); changes no result");
+  add_text(command, "--iterations", line.iterations, iterations);
+  add_text(command, "--time-limit", line.time_limit, "seconds of planning at most, > 0; keeps the best so far");
+}
+
+RunOptions read_run(const RunLine& line, FaultList& faults) {
+  RunOptions options;
+  options.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
+  options.time_limit_s = read_positive("--time-limit", line.time_limit, {.unit = "s"}, faults);
+  options.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);
+  return options;
+}
+
 std::string read_required(const std::string& name, const Text& text, FaultList& faults) {
   if (text && !text->empty()) return *text;
   faults.add({.file = name, .message = "is missing on the command line"});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "alate/core/fault.hpp"
+#include "alate/core/run_context.hpp"
 
 namespace alate::cli {
 
@@ -62,6 +63,17 @@ struct PositiveLimits {
   std::string unit;
   double max = std::numeric_limits<double>::infinity();
 };
+
+/// What bounds a run of a planner.
+struct RunLine {
+  Text seed, threads, iterations, time_limit;
+};
+
+/// The options of a RunLine; `iterations` tells of those.
+void add_run_options(CLI::App& command, RunLine& line, const std::string& iterations);
+
+/// All of it but the threads, which are the executor's.
+RunOptions read_run(const RunLine& line, FaultList& faults);
 
 /// A finite number above zero.
 std::optional<double> read_positive(const std::string& option, const Text& text, const PositiveLimits& limits,

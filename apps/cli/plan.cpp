@@ -14,11 +14,12 @@ namespace {
 
 /// The command line as written.
 struct PlanLine {
-  Text scenario, planner, preset, bound, seed, threads, iterations, time_limit, prefer, out;
+  Text scenario, planner, preset, bound, prefer;
   std::vector<std::string> settings;
   std::vector<std::string> overrides;
   bool front = false;
-  bool json = false;
+  RunLine run;
+  Delivery delivery;
 };
 
 /// The command line as understood.
@@ -53,13 +54,11 @@ PlanOptions read_options(const PlanLine& line, FaultList& faults) {
   options.request = {.name = line.planner.value_or(""), .preset = line.preset.value_or("")};
   for (const std::string& text : line.settings) options.request.settings.push_back(read_setting(text, faults));
   if (line.bound) options.request.settings.push_back({.name = "bound", .text = *line.bound, .file = "--bound"});
-  options.threads = read_threads(line.threads, faults);
-  options.run.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults);
-  options.run.time_limit_s = read_positive("--time-limit", line.time_limit, {.unit = "s"}, faults);
-  options.run.seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed);
+  options.threads = read_threads(line.run.threads, faults);
+  options.run = read_run(line.run, faults);
   options.prefer = read_preference(line.prefer, faults);
   options.front = line.front;
-  if (line.out) check_folder(*line.out, faults);
+  if (line.delivery.out) check_folder(*line.delivery.out, faults);
   return options;
 }
 
@@ -138,11 +137,11 @@ int plan(const PlanLine& line, FaultList faults) {
   PlanOptions options = read_options(line, faults);
   const Task task = read_task(line, options, faults);
   faults.throw_if_any();
-  if (line.out) make_folder(*line.out);
+  if (line.delivery.out) make_folder(*line.delivery.out);
 
   options.run.stop = interrupt.token();
   Result result = solve(task, options);
-  return deliver(result, {.out = line.out, .json = line.json}, interrupt);
+  return deliver(result, line.delivery, interrupt);
 }
 
 }  // namespace
@@ -158,14 +157,10 @@ void add_plan(CLI::App& app, Command& chosen) {
   add_list(command, "--set", line->settings, "parameter=value of the planner; may be repeated");
   add_text(command, "--bound", line->bound, "quick or tight: work on the lower bound; short for --set bound=...");
   add_list(command, "--override", line->overrides, "key.path=VALUE of the scenario; may be repeated");
-  add_text(command, "--seed", line->seed, "seed of all random numbers (default 1)");
-  add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes no result");
-  add_text(command, "--iterations", line->iterations, "iterations at most, >= 1");
-  add_text(command, "--time-limit", line->time_limit, "seconds of planning at most, > 0; keeps the best so far");
+  add_run_options(command, line->run, "iterations at most, >= 1");
   command.add_flag("--front", line->front, "every best trade-off of length, corrections and chance of success, too");
   add_text(command, "--prefer", line->prefer, "which of them is flown: length (default), corrections or probability");
-  add_text(command, "--out", line->out, "folder for the report, mission files and result.json");
-  command.add_flag("--json", line->json, "result as JSON on standard output, and nothing else");
+  add_delivery_options(command, line->delivery);
   command.callback([&chosen, line] { chosen = [line](FaultList faults) { return plan(*line, std::move(faults)); }; });
 }
 

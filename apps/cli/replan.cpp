@@ -20,9 +20,10 @@ namespace alate::cli {
 namespace {
 
 struct ReplanLine {
-  Text scenario, from, at, seed, threads, iterations, time_limit, out;
+  Text scenario, from, at;
   std::vector<std::string> overrides;
-  bool json = false;
+  RunLine run;
+  Delivery delivery;
 };
 
 /// The flight as it was planned, and where the aircraft is.
@@ -183,16 +184,14 @@ int replan(const ReplanLine& line, FaultList faults) {
   if (scenario == "-")
     faults.add({.file = "SCENARIO", .value = "-", .message = "is read more than once here, so it must be a file"});
   const auto at_s = read_time(line.at, faults);
-  const int threads = read_threads(line.threads, faults);
-  RunOptions options{.iterations = read_whole("--iterations", line.iterations, {.min = 1}, faults),
-                     .time_limit_s = read_positive("--time-limit", line.time_limit, {.unit = "s"}, faults),
-                     .seed = read_whole("--seed", line.seed, {}, faults).value_or(kDefaultSeed),
-                     .stop = interrupt.token()};
+  const int threads = read_threads(line.run.threads, faults);
+  RunOptions options = read_run(line.run, faults);
+  options.stop = interrupt.token();
   refuse_start(line.overrides, faults);
-  if (line.out) check_folder(*line.out, faults);
+  if (line.delivery.out) check_folder(*line.delivery.out, faults);
   auto task = read_task(line, scenario == "-" ? "" : scenario, at_s, faults);
   faults.throw_if_any();
-  if (line.out) make_folder(*line.out);
+  if (line.delivery.out) make_folder(*line.delivery.out);
 
   const ChosenPlanner planner = planner_for(task->session->site());
   Executor executor(threads);
@@ -204,7 +203,7 @@ int replan(const ReplanLine& line, FaultList faults) {
   Result result = result_of(task->session->site(), planner, std::move(plan));
   result.wall_s = wall_s;
   result.threads = threads;
-  return deliver(result, {.out = line.out, .json = line.json}, interrupt);
+  return deliver(result, line.delivery, interrupt);
 }
 
 }  // namespace
@@ -218,12 +217,8 @@ void add_replan(CLI::App& app, Command& chosen) {
   add_text(command, "--from", line->from, "result.json of the flight; its overrides still hold");
   add_text(command, "--at-s", line->at, "seconds flown, at the vehicle's speed_mps along the route");
   add_list(command, "--override", line->overrides, "what has changed, key.path=VALUE; may be repeated");
-  add_text(command, "--seed", line->seed, "seed of all random numbers (default 1)");
-  add_text(command, "--threads", line->threads, "threads, 1 to 1024 (default: one a processor); changes no result");
-  add_text(command, "--iterations", line->iterations, "iterations at most, >= 1; the first one finds a route");
-  add_text(command, "--time-limit", line->time_limit, "seconds of planning at most, > 0; keeps the best so far");
-  add_text(command, "--out", line->out, "folder for the report, mission files and result.json");
-  command.add_flag("--json", line->json, "result as JSON on standard output, and nothing else");
+  add_run_options(command, line->run, "iterations at most, >= 1; the first one finds a route");
+  add_delivery_options(command, line->delivery);
   command.callback([&chosen, line] { chosen = [line](FaultList faults) { return replan(*line, std::move(faults)); }; });
 }
 
