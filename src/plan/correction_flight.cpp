@@ -8,6 +8,7 @@
 #include <map>
 
 #include "plan/correction_legs.hpp"
+#include "plan/flight_plan.hpp"
 #include "plan/flight_planners.hpp"
 #include "search/flown_sequence.hpp"
 #include "search/label_setting/gap.hpp"
@@ -131,13 +132,8 @@ struct CorrectionFlightPlanner {
   static Plan plan(const Problem& problem, RunContext& run) {
     Plan plan{.lower_bound = physical_bound(problem.world.site(), problem.mission.start), .seed = run.seed()};
     if (run.keep_going()) CorrectionFlight(problem, run, plan).improve();
-    plan.counters["iterations"] = run.iterations();
-    plan.stop = run.stop();
-    const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
-    plan.reproducible = !stopped;
-    if (plan.route.empty() && plan.why.empty())
-      plan.why = stopped ? "stopped before any route was found"
-                         : "no sequence of correction points was found whose legs can be flown within the error limits";
+    conclude_flight(plan, run,
+                    "no sequence of correction points was found whose legs can be flown within the error limits");
     return plan;
   }
 };

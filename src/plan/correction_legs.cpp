@@ -5,7 +5,7 @@
 #include "alate/core/along_route.hpp"
 #include "search/interval/flight_path.hpp"
 #include "search/interval/flight_profile.hpp"
-#include "space/objective.hpp"
+#include "space/flight/flight_air.hpp"
 
 namespace alate {
 
@@ -27,18 +27,12 @@ Site site_towards(const Site& site, const Vec3& place, double tolerance_m) {
 
 struct CorrectionLegs::Target {
   Target(const Site& site, const Vec3& place, double tolerance_m, RunContext& run)
-      : world(site_towards(site, place, tolerance_m)),
-        band(world),
-        cost(band),
-        objective(world),
-        to_go(world, band.slopes(), run),
-        search(cost, to_go),
+      : air(World(site_towards(site, place, tolerance_m))),
+        to_go(air.world, air.band.slopes(), run),
+        search(air.cost, to_go),
         end(flight_end(place, tolerance_m)) {}
 
-  World world;
-  BandWalk band;
-  FlightCost cost;
-  Objective objective;
+  FlightAir air;
   ClimbField to_go;
   IntervalAStar search;
   FlightEnd end;
@@ -53,21 +47,21 @@ std::optional<FlownLeg> CorrectionLegs::fly(const FlightStart& start, int name, 
   if (target == nullptr) target = std::make_unique<Target>(site_, place, tolerance_m, run_);
   const Vec3 from(start.poses[0].x, start.poses[0].y, start.z);
   const IntervalSearchOptions options{.epsilon = kEpsilon,
-                                      .bin_m = bin_width((place - from).norm(), target->band.radius_m()),
+                                      .bin_m = bin_width((place - from).norm(), target->air.band.radius_m()),
                                       .most_nodes = kMostNodes};
   const auto track = target->search.find(start, target->end, options, run_);
   if (!track || track->empty()) return std::nullopt;
-  FlightPath path(target->cost, target->end, *track, start.z);
+  FlightPath path(target->air.cost, target->end, *track, start.z);
   path.shorten(run_);
   Stream random(run_.seed(), 0, static_cast<std::uint64_t>(name));
   path.better(random, kTrials, run_);
   const Track best = path.track();
-  auto route = fly_track(target->cost, best, from, path.end());
+  auto route = fly_track(target->air.cost, best, from, path.end());
   if (!route) return std::nullopt;
   if (tolerance_m <= 0) route->states.back().position = place;  // which the track meets to rounding
   FlownLeg leg{.route = std::move(*route), .end = best.back().end()};
   leg.length_m = flown_length(leg.route);
-  leg.cost = target->objective.route_cost(leg.route);
+  leg.cost = target->air.objective.route_cost(leg.route);
   return leg;
 }
 

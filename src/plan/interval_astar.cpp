@@ -1,8 +1,8 @@
 // The flagship: a fixed wing over real ground, by true Dubins pieces and intervals of altitude.
 #include "plan/flight_bound.hpp"
+#include "plan/flight_plan.hpp"
 #include "plan/flight_planners.hpp"
 #include "plan/interval_run.hpp"
-#include "space/lower_bound.hpp"
 
 namespace alate {
 
@@ -12,17 +12,7 @@ struct IntervalPlanner {
   BoundEffort effort = BoundEffort::quick;
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    const Mission& mission = problem.mission;
-    Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
-    if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
-      plan.outcome = Outcome::feasible;
-      plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
-    } else {
-      note_barrier(problem, run, plan);
-      if (plan.outcome != Outcome::infeasible_proven) search(problem, run, plan);
-    }
-    conclude(plan, run);
-    return plan;
+    return plan_flight(problem, run, kNoFlight, [&](Plan& plan) { search(problem, run, plan); });
   }
 
  private:

@@ -109,14 +109,4 @@ void IntervalRun::fly_best(Plan& plan) {
   run_.report(plan.cost);
 }
 
-void conclude(Plan& plan, const RunContext& run) {
-  plan.counters["iterations"] = run.iterations();
-  plan.stop = run.stop();
-  const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
-  plan.reproducible = !stopped;
-  if (plan.route.empty() && plan.why.empty())
-    plan.why =
-        stopped ? "stopped before any route was found" : "no string of arcs and straight pieces leads to the goal";
-}
-
 }  // namespace alate

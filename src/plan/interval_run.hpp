@@ -3,24 +3,13 @@
 
 #include <array>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "search/interval/flight_path.hpp"
-#include "space/objective.hpp"
+#include "space/flight/flight_air.hpp"
 
 namespace alate {
-
-/// One world, as flights through it are walked and judged. Its parts refer to each other, so it stays where it is.
-struct FlightAir {
-  explicit FlightAir(World of) : world(std::move(of)) {}
-  FlightAir(const FlightAir&) = delete;
-  FlightAir& operator=(const FlightAir&) = delete;
-
-  World world;
-  BandWalk band{world};
-  FlightCost cost{band};
-  Objective objective{world};
-};
 
 /// Weight of the cost-to-go, and width of bins in their usual width.
 struct IntervalPass {
@@ -73,7 +62,7 @@ class IntervalRun {
   std::uint64_t rounds_ = 0;
 };
 
-/// Outcome, counters and words of a run that has ended.
-void conclude(Plan& plan, const RunContext& run);
+/// What is said where a run ends without a route.
+inline constexpr std::string_view kNoFlight = "no string of arcs and straight pieces leads to the goal";
 
 }  // namespace alate

@@ -13,13 +13,13 @@
 #include "aco/transition/roulette.hpp"
 #include "plan/flight_bound.hpp"
 #include "plan/flight_ends.hpp"
+#include "plan/flight_plan.hpp"
 #include "plan/flight_planners.hpp"
 #include "plan/primitive_aco_parameters.hpp"
 #include "search/interval/flight_ants.hpp"
 #include "search/interval/flight_pool.hpp"
 #include "search/interval/flight_profile.hpp"
-#include "space/lower_bound.hpp"
-#include "space/objective.hpp"
+#include "space/flight/flight_air.hpp"
 
 namespace alate {
 
@@ -31,23 +31,21 @@ class FlightWork {
   FlightWork(const Problem& problem, RunContext& run, const ParamValues& values, Plan& plan)
       : problem_(problem),
         plan_(plan),
-        band_(problem.world),
-        cost_(band_),
-        objective_(problem.world),
-        to_go_(problem.world, band_.slopes(), run),
+        air_(problem.world),
+        to_go_(air_.world, air_.band.slopes(), run),
         end_(flight_end(problem.mission.goal, problem.mission.tolerance_m)),
-        bin_m_(bin_width((problem.mission.goal - problem.mission.start).norm(), band_.radius_m())),
-        space_(cost_, to_go_, {flight_start(problem.mission), end_},
-               {.bin_m = bin_m_, .ahead_m = values.number("look_ahead") * band_.radius_m()}),
+        bin_m_(bin_width((problem.mission.goal - problem.mission.start).norm(), air_.band.radius_m())),
+        space_(air_.cost, to_go_, {flight_start(problem.mission), end_},
+               {.bin_m = bin_m_, .ahead_m = values.number("look_ahead") * air_.band.radius_m()}),
         random_(run.seed(), 0, 0),
         pool_(static_cast<int>(values.integer("trials")), kApart * bin_m_) {}
 
   FlightAnts& space() { return space_; }
-  double bin_price() const { return bin_m_ * cost_.length_weight(); }
+  double bin_price() const { return bin_m_ * air_.cost.length_weight(); }
 
   /// One search of its own; what it finds is bettered and taken in.
   void search(double epsilon, RunContext& run) {
-    IntervalAStar search(cost_, to_go_);
+    IntervalAStar search(air_.cost, to_go_);
     const auto track = search.find(flight_start(problem_.mission), end_, {.epsilon = epsilon, .bin_m = bin_m_}, run);
     plan_.counters["expansions"] += search.expansions();
     if (track) better(*track, run);
@@ -55,7 +53,7 @@ class FlightWork {
 
   /// Takes in a track, if there is any, and works on with those that are there.
   void better(const Track& track, RunContext& run) {
-    if (!track.empty()) pool_.add(FlightPath(cost_, end_, track, problem_.mission.start.z()), random_, run);
+    if (!track.empty()) pool_.add(FlightPath(air_.cost, end_, track, problem_.mission.start.z()), random_, run);
     pool_.better(random_, run);
     if (!pool_.empty()) keep(pool_.best().track(), pool_.best().end());
     run.report(plan_.route.empty() ? std::nullopt : std::optional(plan_.cost));
@@ -63,9 +61,9 @@ class FlightWork {
 
   /// Altitudes for a track; the flight is kept if it is the best so far.
   bool keep(const Track& track, const FlightEnd& end) {
-    auto route = fly_track(cost_, track, problem_.mission.start, end);
+    auto route = fly_track(air_.cost, track, problem_.mission.start, end);
     if (!route) return false;
-    const double cost = objective_.route_cost(*route);
+    const double cost = air_.objective.route_cost(*route);
     if (!plan_.route.empty() && cost >= plan_.cost) return true;
     plan_.outcome = Outcome::feasible;
     plan_.route = std::move(*route);
@@ -84,9 +82,7 @@ class FlightWork {
 
   const Problem& problem_;
   Plan& plan_;
-  BandWalk band_;
-  FlightCost cost_;
-  Objective objective_;
+  FlightAir air_;
   ClimbField to_go_;
   FlightEnd end_;
   double bin_m_;
@@ -127,26 +123,11 @@ class PrimitiveAco {
   explicit PrimitiveAco(ParamValues values) : values_(std::move(values)) {}
 
   Plan plan(const Problem& problem, RunContext& run) const {
-    const Mission& mission = problem.mission;
-    Plan plan{.lower_bound = physical_bound(problem.world.site(), mission.start), .seed = run.seed()};
-    if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
-      plan.outcome = Outcome::feasible;
-      plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
-    } else {
-      note_barrier(problem, run, plan);
-      if (plan.outcome != Outcome::infeasible_proven) {
-        FlightWork work(problem, run, values_, plan);
-        fly_colony(work, plan, run);
-        if (run.keep_going()) note_bound(problem, BoundEffort::quick, run, plan);
-      }
-    }
-    plan.counters["iterations"] = run.iterations();
-    plan.stop = run.stop();
-    const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
-    plan.reproducible = !stopped;
-    if (plan.route.empty() && plan.why.empty())
-      plan.why = stopped ? "stopped before any ant had arrived" : "no ant arrived at the goal";
-    return plan;
+    return plan_flight(problem, run, "no ant arrived at the goal", [&](Plan& plan) {
+      FlightWork work(problem, run, values_, plan);
+      fly_colony(work, plan, run);
+      if (run.keep_going()) note_bound(problem, BoundEffort::quick, run, plan);
+    });
   }
 
  private:

@@ -5,8 +5,8 @@
 #include "alate/core/fault.hpp"
 #include "plan/first_route.hpp"
 #include "plan/flight_bound.hpp"
+#include "plan/flight_plan.hpp"
 #include "plan/flight_planners.hpp"
-#include "space/lower_bound.hpp"
 
 namespace alate {
 
@@ -52,8 +52,6 @@ Route rest_for(const Route& route, const FlightState& state) {
   return rest_of(route, state.flown_m);
 }
 
-bool has_arrived(const Mission& mission) { return (mission.goal - mission.start).norm() <= mission.tolerance_m; }
-
 }  // namespace
 
 struct Session::Kept {
@@ -61,17 +59,8 @@ struct Session::Kept {
 
   const Site& site() const { return air->world.site(); }
 
-  Plan begin_plan(const RunContext& run) const {
-    return {.lower_bound = physical_bound(site(), site().mission.start), .seed = run.seed()};
-  }
-
   std::function<void(Plan&)> bound_by(RunContext& run) const {
     return [this, &run](Plan& plan) { note_bound(Problem(air->world), BoundEffort::quick, run, plan); };
-  }
-
-  void stay(Plan& plan) const {
-    plan.outcome = Outcome::feasible;
-    plan.route.states = {{.position = site().mission.start, .leg = LegKind::start}};
   }
 
   /// A field of this world, as far as it has grown. It starts where there is none, at the goal.
@@ -93,7 +82,7 @@ struct Session::Kept {
   }
 
   void finish(Plan& plan, RunContext& run) {
-    conclude(plan, run);
+    conclude_flight(plan, run, kNoFlight);
     if (field_is_cut) field.reset();
     if (!plan.route.empty()) route = plan.route;
   }
@@ -143,10 +132,8 @@ const Route& Session::route() const { return kept_->route; }
 void Session::follow(Route route) { kept_->route = std::move(route); }
 
 Plan Session::plan(RunContext& run) {
-  Plan plan = kept_->begin_plan(run);
-  if (has_arrived(site().mission)) {
-    kept_->stay(plan);
-  } else {
+  Plan plan = begin_flight(site(), run);
+  if (plan.route.empty()) {
     kept_->complete_field(run);
     IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, plan, kept_->bound_by(run));
   }
@@ -157,10 +144,8 @@ Plan Session::plan(RunContext& run) {
 Plan Session::replan(const FlightState& state, const FlightChange& change, RunContext& run) {
   Kept& kept = *kept_;
   const auto news = kept.turn_to(std::make_unique<FlightAir>(World(changed(site(), state, change))));
-  Plan plan = kept.begin_plan(run);
-  if (has_arrived(site().mission)) {
-    kept.stay(plan);
-  } else if (run.start_iteration(IntervalRun::kIterations)) {
+  Plan plan = begin_flight(site(), run);
+  if (plan.route.empty() && run.start_iteration(IntervalRun::kIterations)) {
     ClimbField& field = kept.any_field(run);
     find_first_route({.air = *kept.air,
                       .astar = *kept.astar,
