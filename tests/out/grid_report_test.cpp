@@ -62,7 +62,9 @@ TEST(GridReport, CutFromTerrainHasAProfileAndAPlainLine) {
   for (const char* part : {"Height along the way", "no corner of one cut; at least", "cells, 90 m wide"})
     EXPECT_NE(crowded.find(part), std::string::npos) << part;
   EXPECT_EQ(crowded.find("class=\"waypoint\""), std::string::npos);
-  route.states.erase(route.states.begin() + 1, route.states.end() - 1);
+  for (std::size_t i = 0; i < route.states.size(); ++i)
+    route.states[i].position =
+        flight.site.mission.start + Vec3(-20 * flight.site.grid->cell_m * static_cast<double>(i), 0, 0);
   EXPECT_NE(report_html(flight.result).find("class=\"waypoint\""), std::string::npos);
 }
 

@@ -89,12 +89,13 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
   for (const Vec3& at : drawn_line(route)) line.push_back(map(at));
   svg.polyline(line, "halo");
   svg.polyline(line, "route");
-  // Crowded waypoints, such as one a cell of a large grid, would paint over the line.
+  // Crowded waypoints, one a cell of a large grid or those along an arc, would paint over the line.
   constexpr double kRoom = 8;
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  if (length < kRoom * static_cast<double>(route.states.size() - 1)) return;
-  for (const RouteState& state : route.states) svg.circle(map(state.position), 2.2, "waypoint");
+  const auto apart = [&](std::size_t i) {
+    return (map(route.states[i].position) - map(route.states[i - 1].position)).norm() >= kRoom;
+  };
+  for (std::size_t i = 1; i + 1 < route.states.size(); ++i)
+    if (apart(i) && apart(i + 1)) svg.circle(map(route.states[i].position), 2.2, "waypoint");
 }
 
 void draw_violations(Svg& svg, const MapFrame& map, const Verdict& verdict) {
