@@ -140,7 +140,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   Options options;
   CLI::App app("Flights between random places");
   app.add_option("--queries", options.queries, "in all worlds together");
@@ -153,4 +153,7 @@ int main(int argc, char** argv) {
   app.add_flag("--list", options.list, "print what was not solved, too");
   CLI11_PARSE(app, argc, argv);
   return run(options);
+} catch (const std::exception& fault) {
+  std::fputs(fault.what(), stderr);
+  return 1;
 }

@@ -64,8 +64,10 @@ TEST(IntervalFlight, NoArcBulgesOverUnknownGround) {
   for (const bool voids : {true, false}) {
     Site site = test::ridge_site();
     auto& raster = std::get<HeightRaster>(site.ground);
-    for (int row = 0; voids && row < raster.rows; ++row)
-      raster.posts[static_cast<std::size_t>(row * raster.columns + 30)] = std::numeric_limits<float>::quiet_NaN();
+    for (int row = 0; voids && row < raster.rows; ++row) {
+      const int post = row * raster.columns + 30;
+      raster.posts[static_cast<std::size_t>(post)] = std::numeric_limits<float>::quiet_NaN();
+    }
     raster.voids = voids ? static_cast<std::size_t>(raster.rows) : 0;
     const double line_m = voids ? 2900 : 10000;
     const World world(site);

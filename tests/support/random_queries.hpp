@@ -28,7 +28,7 @@ inline std::optional<Vec3> draw_place(const World& world, Stream& random) {
     if (!ground || std::isnan(*ground)) continue;
     const double floor = *ground + band.clearance_m;
     const double ceiling = std::min(*ground + *band.ceiling_agl_m, band.ceiling_amsl_m.value_or(1e9));
-    const Vec3 position(place.x(), place.y(), floor + part * (ceiling - floor));
+    Vec3 position(place.x(), place.y(), floor + part * (ceiling - floor));
     if (floor <= ceiling && world.is_free({position, position})) return position;
   }
   return std::nullopt;
