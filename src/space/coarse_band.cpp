@@ -34,9 +34,9 @@ Box2 area_of(const Site& site) {
 
 }  // namespace
 
-CoarseBand::CoarseBand(const World& world, RunContext& run) : area_(area_of(world.site())) {
+CoarseBand::CoarseBand(const World& world, RunContext& run, double least_m) : area_(area_of(world.site())) {
   const Vec2 extent = area_.max - area_.min;
-  cell_m_ = std::max({std::sqrt(extent.x() * extent.y() / kCells), extent.maxCoeff() / kCells, kSmallestCell});
+  cell_m_ = std::max({std::sqrt(extent.x() * extent.y() / kCells), extent.maxCoeff() / kCells, kSmallestCell, least_m});
   columns_ = std::max(1, static_cast<int>(std::ceil(extent.x() / cell_m_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(extent.y() / cell_m_)));
   floor_.assign(size(), kInfinity);
@@ -87,6 +87,11 @@ void CoarseBand::sample_ground(const World& world, std::size_t cell) {
 void CoarseBand::sample_threat(const World& world, std::size_t cell) {
   const Vec2 middle = center(cell);
   const double half = cell_m_ / 4;
+  const bool near = std::ranges::any_of(world.site().threats, [&](const Threat& threat) {
+    const double reach = std::max(threat.radius_m, threat.core_m) + cell_m_;
+    return (middle - threat.center.head<2>()).squaredNorm() < reach * reach;
+  });
+  if (!near) return;
   for (int layer = 0; layer < kLayers; ++layer) {
     const double z = altitude(cell, layer);
     const Vec3 here(middle.x(), middle.y(), z);

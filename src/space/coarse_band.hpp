@@ -17,12 +17,12 @@ namespace alate {
 /// the cell allows. Cells without known ground, or where the band is empty, are blocked.
 class CoarseBand {
  public:
+  static constexpr int kCells = 12000;      ///< At most about so many, whatever the area.
   static constexpr int kLayers = 6;         ///< Altitude samples per cell, floor to ceiling.
-  static constexpr int kCells = 12000;      ///< About so many, whatever the area.
   static constexpr int kSamplesAcross = 4;  ///< Ground samples along a cell's side.
 
-  /// Stops early, leaving cells blocked or without threat, when `run` says so.
-  CoarseBand(const World& world, RunContext& run);
+  /// No cell is narrower than `least_m`. Stops early, leaving cells blocked or without threat, when `run` says so.
+  CoarseBand(const World& world, RunContext& run, double least_m = 0);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

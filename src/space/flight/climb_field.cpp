@@ -13,7 +13,7 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 /// Cells this near to the goal take the straight estimate.
 constexpr double kSeedCells = 1.5;
 /// Improvements below this part of a cell's cost are not passed on.
-constexpr float kWorthwhile = 0.005F;
+constexpr float kWorthwhile = 0.03F;
 constexpr std::size_t kPollEvery = 1024;
 /// Columns and rows of the sixteen neighbours.
 constexpr std::array<std::array<int, 2>, 16> kNeighbours{{{1, 0},
@@ -33,15 +33,27 @@ constexpr std::array<std::array<int, 2>, 16> kNeighbours{{{1, 0},
                                                           {1, -2},
                                                           {2, -1}}};
 
+/// Finer cells cost more time than they save: aircraft cannot turn within them, or there are more than enough on the
+/// way.
+double least_cell_m(const Site& site) {
+  constexpr double kRadii = 1.25;
+  constexpr double kOnTheWay = 80;
+  const double distance = (site.mission.goal - site.mission.start).norm();
+  return std::max(kRadii * site.vehicle.turn_radius_m.value_or(0), distance / kOnTheWay);
+}
+
 }  // namespace
 
 ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, const std::optional<Vec3>& until)
     : site_(&world.site()),
       slopes_(slopes),
-      band_(world, run),
+      band_(world, run, least_cell_m(*site_)),
       climb_weight_(static_cast<float>(site_->scenario.objective.climb)),
       values_(band_.size() * kLayers, kNever),
-      metre_cost_(band_.size() * kLayers, kNever) {
+      metre_cost_(band_.size() * kLayers, kNever),
+      waiting_(band_.size(), kNever),
+      fresh_(band_.size(), 0),
+      worthwhile_(kWorthwhile * static_cast<float>(band_.cell_m())) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const double length = band_.cell_m() * std::hypot(kNeighbours[i][0], kNeighbours[i][1]);
     steps_[i] = {.column = kNeighbours[i][0],
@@ -71,7 +83,7 @@ void ClimbField::grow(RunContext& run, const std::optional<Vec3>& until) {
     if (pops % kPollEvery == 0 && (!run.keep_going() || is_known(until, queue_.top().value))) break;
     const Queued top = queue_.top();
     queue_.pop();
-    if (top.value == values_[top.sample]) settle(top.sample);
+    if (top.value == waiting_[top.cell]) settle(top.cell);
   }
 }
 
@@ -88,17 +100,36 @@ void ClimbField::seed() {
 }
 
 void ClimbField::offer(std::size_t cell, int layer, float value) {
-  const std::size_t sample = cell * kLayers + static_cast<std::size_t>(layer);
-  const float worthwhile = kWorthwhile * static_cast<float>(band_.cell_m());
-  if (!(value + worthwhile < values_[sample])) return;
-  values_[sample] = value;
-  queue_.push({value, static_cast<std::uint32_t>(sample)});
+  float& known = values_[cell * kLayers + static_cast<std::size_t>(layer)];
+  if (!(value + worthwhile_ < known)) return;
+  known = value;
+  fresh_[cell] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
+  enqueue(cell, value);
 }
 
-void ClimbField::settle(std::uint32_t sample) {
-  const std::size_t cell = sample / kLayers;
-  const int layer = static_cast<int>(sample % kLayers);
-  circle(cell, layer);
+void ClimbField::enqueue(std::size_t cell, float value) {
+  if (!(value < waiting_[cell])) return;
+  waiting_[cell] = value;
+  queue_.push({value, static_cast<std::uint32_t>(cell)});
+}
+
+/// Tells the neighbours of its fresh values.
+void ClimbField::settle(std::size_t cell) {
+  const float* values = &values_[cell * kLayers];
+  const auto is_fresh = [&](int layer) { return (fresh_[cell] >> static_cast<unsigned>(layer) & 1U) != 0; };
+  for (int layer = kLayers - 1; layer >= 0; --layer)
+    if (is_fresh(layer)) circle(cell, layer);
+  Fresh fresh{.low = kLayers, .high = 0, .cheapest = kNever};
+  for (int layer = 0; layer < kLayers; ++layer) {
+    if (!is_fresh(layer)) continue;
+    fresh.low = std::min(fresh.low, layer);
+    fresh.high = layer;
+  }
+  waiting_[cell] = kNever;
+  fresh_[cell] = 0;
+  fresh.low = std::max(fresh.low - 1, 0);
+  fresh.high = std::min(fresh.high + 1, kLayers - 1);
+  fresh.cheapest = *std::min_element(values + fresh.low, values + fresh.high + 1);
   const int columns = band_.columns();
   const int column = static_cast<int>(cell) % columns;
   const int row = static_cast<int>(cell) / columns;
@@ -108,7 +139,7 @@ void ClimbField::settle(std::uint32_t sample) {
     if (c < 0 || r < 0 || c >= columns || r >= band_.rows()) continue;
     const std::size_t from =
         static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c);
-    if (!band_.blocked(from)) relax(from, step, cell, layer);
+    if (!band_.blocked(from)) relax(from, step, cell, fresh);
   }
 }
 
@@ -123,28 +154,39 @@ void ClimbField::circle(std::size_t cell, int layer) {
     offer(cell, layer + 1, value + metre_cost(cell, layer + 1) * layer_m / static_cast<float>(slopes_.descent));
 }
 
-/// Samples of a cell from which the aircraft can reach altitudes near a sample of `to` that has become cheaper. The
-/// value is linear between samples, so the best altitude is a sample, the one flown so far, or the last within reach.
-void ClimbField::relax(std::size_t cell, const Step& step, std::size_t to, int layer) {
-  const float here = floor_[to] + layer_m_[to] * static_cast<float>(layer);
-  const float low = here - layer_m_[to];
-  const float high = here + layer_m_[to];
-  const float spacing = layer_m_[cell];
-  const float* near = &values_[to * kLayers + static_cast<std::size_t>(layer)];
-  const float cheapest = std::min({near[0], layer > 0 ? near[-1] : kNever, layer + 1 < kLayers ? near[1] : kNever});
+/// The values of a cell, from which the aircraft flies to `to`, some of whose values have become cheaper. The value
+/// there is linear between samples, so the best altitude is a sample, the one flown so far, or the last within reach.
+void ClimbField::relax(std::size_t cell, const Step& step, std::size_t to, const Fresh& fresh) {
   const float bottom = floor_[to];
-  const float top = floor_[to] + layer_m_[to] * (kLayers - 1);
-  for (int from = 0; from < kLayers; ++from) {
-    const float z = floor_[cell] + spacing * static_cast<float>(from);
-    const float least = std::max(z - step.descent_m, bottom);
-    const float most = std::min(z + step.climb_m, top);
-    if (least > high) break;
-    if (most < low || least > most) continue;
-    const float metre = metre_cost(cell, from);
-    if (!(metre * step.length_m + cheapest < values_[cell * kLayers + static_cast<std::size_t>(from)])) continue;
-    const auto price = [&](float at) { return value_at(to, at) + climb_weight_ * std::max(0.0F, at - z); };
-    const float best = std::min(price(std::clamp(here, least, most)), price(std::clamp(z, least, most)));
-    offer(cell, from, metre * step.length_m + best);
+  const float spacing = layer_m_[to];
+  const float per_metre = spacing > 0 ? 1 / spacing : 0;
+  const float low = bottom + spacing * static_cast<float>(fresh.low);
+  const float high = bottom + spacing * static_cast<float>(fresh.high);
+  const float* there = &values_[to * kLayers];
+  float* here = &values_[cell * kLayers];
+  for (int layer = 0; layer < kLayers; ++layer) {
+    const float z = floor_[cell] + layer_m_[cell] * static_cast<float>(layer);
+    const float least = std::max(z - step.descent_m, low);
+    const float most = std::min(z + step.climb_m, high);
+    const float way = metre_cost(cell, layer) * step.length_m;
+    if (least > most || !(way + fresh.cheapest < here[layer])) continue;
+    float best = kNever;
+    const auto look = [&](float value, float at) {
+      const float price = value + climb_weight_ * std::max(0.0F, at - z);
+      if (price < best) best = price;  // never for what is no number: between samples of which one is infinite
+    };
+    const auto look_between = [&](float at) {
+      const float position = (at - bottom) * per_metre;
+      const int below = std::min(static_cast<int>(position), kLayers - 2);
+      look(there[below] + (position - static_cast<float>(below)) * (there[below + 1] - there[below]), at);
+    };
+    look_between(least);
+    look_between(most);
+    if (z > least && z < most) look_between(z);
+    const int last = static_cast<int>((most - bottom) * per_metre);
+    for (int k = static_cast<int>(std::ceil((least - bottom) * per_metre)); k <= last; ++k)
+      look(there[k], bottom + spacing * static_cast<float>(k));
+    offer(cell, layer, way + best);
   }
 }
 

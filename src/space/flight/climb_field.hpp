@@ -4,8 +4,8 @@
 // The relaxed aircraft has no heading and flies between the middles of coarse cells, to sixteen neighbours. Its
 // altitude is a real number between an optimistic floor and ceiling; the value of a cell is linear between samples of
 // altitude. V_a(z) = min over neighbours b and z' within the slopes of c |ab| + climb (z' - z)+ + V_b(z'), with c the
-// price of a metre at (a, z); within a cell altitude changes on circles. Dijkstra's order over samples; a sample that
-// gets cheaper later is looked at again.
+// price of a metre at (a, z); within a cell altitude changes on circles. Cells are settled in Dijkstra's order by the
+// least of their new values, all of these at once, and again when one gets cheaper later.
 //
 // It is a guide, no bound: cells are coarse, floors optimistic, sixteen directions up to 2.7 % too dear.
 #pragma once
@@ -49,10 +49,13 @@ class ClimbField {
   static constexpr int kLayers = CoarseBand::kLayers;
   struct Queued {
     float value;
-    std::uint32_t sample;
-    bool operator>(const Queued& other) const {
-      return value != other.value ? value > other.value : sample > other.sample;
-    }
+    std::uint32_t cell;
+    bool operator>(const Queued& other) const { return value != other.value ? value > other.value : cell > other.cell; }
+  };
+  /// Layers of a cell between which values are new.
+  struct Fresh {
+    int low, high;
+    float cheapest;
   };
   /// From a neighbour to the cell that was settled.
   struct Step {
@@ -66,9 +69,10 @@ class ClimbField {
   void forget_from(float least);
   bool borders_forgotten(std::size_t cell) const;
   void seed();
-  void settle(std::uint32_t sample);
-  void relax(std::size_t cell, const Step& step, std::size_t to, int layer);
+  void settle(std::size_t cell);
+  void relax(std::size_t cell, const Step& step, std::size_t to, const Fresh& fresh);
   void circle(std::size_t cell, int layer);
+  void enqueue(std::size_t cell, float value);
   void offer(std::size_t cell, int layer, float value);
   float value_at(std::size_t cell, float z) const;
   float metre_cost(std::size_t cell, int layer) const {
@@ -81,6 +85,9 @@ class ClimbField {
   float climb_weight_;
   std::array<Step, 16> steps_{};
   std::vector<float> values_, metre_cost_, floor_, layer_m_;
+  std::vector<float> waiting_;       ///< The least value of each cell that its neighbours have not heard of yet.
+  std::vector<std::uint8_t> fresh_;  ///< Layers of each cell of which they have not heard, a bit each.
+  float worthwhile_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<>> queue_;
 };
 

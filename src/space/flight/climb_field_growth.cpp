@@ -32,6 +32,8 @@ void ClimbField::add_threats(const World& world, std::span<const Threat> added) 
 void ClimbField::aim_anew() {
   std::ranges::fill(values_, std::numeric_limits<float>::infinity());
   queue_ = {};
+  std::ranges::fill(waiting_, std::numeric_limits<float>::infinity());
+  std::ranges::fill(fresh_, std::uint8_t{0});
   seed();
 }
 
@@ -48,10 +50,16 @@ void ClimbField::forget_from(float least) {
   for (float& value : values_)
     if (value >= least) value = std::numeric_limits<float>::infinity();
   queue_ = {};
+  std::ranges::fill(waiting_, std::numeric_limits<float>::infinity());
+  std::ranges::fill(fresh_, std::uint8_t{0});
   for (std::size_t cell = 0; cell < band_.size(); ++cell) {
     if (band_.blocked(cell) || !borders_forgotten(cell)) continue;
-    for (std::size_t sample = cell * kLayers; sample < (cell + 1) * kLayers; ++sample)
-      if (values_[sample] < least) queue_.push({values_[sample], static_cast<std::uint32_t>(sample)});
+    const auto first = values_.begin() + static_cast<std::ptrdiff_t>(cell * kLayers);
+    const float cheapest = *std::min_element(first, first + kLayers);
+    if (cheapest < least) {
+      fresh_[cell] = (1U << kLayers) - 1;
+      enqueue(cell, cheapest);
+    }
   }
 }
 
