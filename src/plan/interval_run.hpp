@@ -18,11 +18,11 @@ struct IntervalPass {
   std::uint64_t most_nodes = 1'000'000;
 };
 
-/// Ways from one start to one goal, and the best flight over them. An iteration is a search, or a round of changes to a
-/// way that is known.
+/// Ways from one start to one goal, and the best flight over them. An iteration is a bit of a search, or a round of
+/// changes to a way that is known.
 class IntervalRun {
  public:
-  static constexpr std::uint64_t kIterations = 60;  ///< Where neither a budget nor a time limit is given.
+  static constexpr std::uint64_t kIterations = 100;  ///< Where neither a budget nor a time limit is given.
   static constexpr IntervalPass kHasty{2.5, 1};
 
   /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
@@ -40,15 +40,17 @@ class IntervalRun {
   /// Altitudes for the way that seems best; into `plan` if it is better than what is there.
   void fly_best(Plan& plan);
 
-  /// Searches, then changes what was found, until the budget is used or no route is proven. Where a way was added, as
-  /// in flight, searches take turns with changes and none may be long. `note_bound`, if given, is called when the first
-  /// iteration is over, and again once there is a route.
+  /// Searches until there is a way; then searches on and changes what was found, by turns, until the budget is used or
+  /// no route is proven. `note_bound`, if given, is called when the first iteration is over, and again once there is a
+  /// route.
   void improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound = nullptr);
 
  private:
   static constexpr int kTrials = 250;  ///< Of changes, an iteration.
 
-  void search_next(IntervalAStar& astar, Plan& plan);
+  IntervalSearchOptions options_of(const IntervalPass& pass) const;
+  void take(const Track& track);
+  void search_on(IntervalAStar& astar, Plan& plan);
   void change_some();
 
   const FlightAir& air_;
@@ -57,7 +59,7 @@ class IntervalRun {
   Route before_;
   Stream random_;
   std::vector<FlightPath> paths_;  ///< The cheapest first.
-  bool in_flight_ = false;         ///< A way was added.
+  bool searching_ = false;         ///< A search has begun and not ended.
   std::size_t pass_ = 0;
   std::uint64_t rounds_ = 0;
 };

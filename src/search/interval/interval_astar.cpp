@@ -100,14 +100,14 @@ void IntervalAStar::expand(std::uint32_t from) {
   }
 }
 
-std::optional<Track> IntervalAStar::shot(std::uint32_t from, const FlightEnd& end) const {
+std::optional<Track> IntervalAStar::shot(std::uint32_t from) const {
   Track track;
-  append(track, shortest_dubins_to_point(nodes_[from].pose, end.place(), cost_->band().radius_m()));
-  cut_at_end(track, end);
+  append(track, shortest_dubins_to_point(nodes_[from].pose, end_.place(), cost_->band().radius_m()));
+  cut_at_end(track, end_);
   AltitudeLabel label = nodes_[from].label;
   for (const PlanarPiece& piece : track)
     if (!cost_->band().advance(piece, label)) return std::nullopt;
-  if (label.low > end.high() || label.high < end.low()) return std::nullopt;
+  if (label.low > end_.high() || label.high < end_.low()) return std::nullopt;
   return track;
 }
 
@@ -118,13 +118,19 @@ IntervalAStar::Open IntervalAStar::pop_open() {
   return top;
 }
 
-void IntervalAStar::begin(const FlightStart& start) {
+void IntervalAStar::begin(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options) {
+  end_ = end;
+  options_ = options;
+  // A tiny turn radius or a vast ground would ask for more bins than memory holds.
+  constexpr double kMostAcross = 2048;
+  options_.bin_m = std::max(options.bin_m, (area_.max - area_.min).maxCoeff() / kMostAcross);
   columns_ = static_cast<int>((area_.max.x() - area_.min.x()) / options_.bin_m) + 1;
   rows_ = static_cast<int>((area_.max.y() - area_.min.y()) / options_.bin_m) + 1;
   bins_.clear(columns_, rows_);
   nodes_.clear();
   open_.clear();
   expansions_ = 0;
+  until_shot_ = 0;
   using enum Steering;
   const double arc = cost_->band().radius_m() * kPi / 8;
   primitives_ = {{left, arc},
@@ -145,24 +151,23 @@ Track IntervalAStar::track_to(std::uint32_t node) const {
 
 std::optional<Track> IntervalAStar::find(const FlightStart& start, const FlightEnd& end,
                                          const IntervalSearchOptions& options, RunContext& run) {
-  options_ = options;
-  // A tiny turn radius or a vast ground would ask for more bins than memory holds.
-  constexpr double kMostAcross = 2048;
-  options_.bin_m = std::max(options.bin_m, (area_.max - area_.min).maxCoeff() / kMostAcross);
-  begin(start);
-  std::uint64_t until_shot = 0;
-  while (!open_.empty() && nodes_.size() < options.most_nodes) {
+  begin(start, end, options);
+  return go_on(std::numeric_limits<std::uint64_t>::max(), run);
+}
+
+std::optional<Track> IntervalAStar::go_on(std::uint64_t most_expansions, RunContext& run) {
+  for (std::uint64_t count = 0; !exhausted() && count < most_expansions; ++count) {
     const std::uint32_t at = pop_open().node;
     if (++expansions_ % kPollEvery == 0 && !run.keep_going()) break;
-    if (until_shot-- == 0) {
-      if (const auto last = shot(at, end)) {
+    if (until_shot_-- == 0) {
+      if (const auto last = shot(at)) {
         Track whole = track_to(at);
         whole.insert(whole.end(), last->begin(), last->end());
         return whole;
       }
       // The farther the goal, the rarer.
-      const double distance = (end.place() - nodes_[at].pose.position()).norm();
-      until_shot = static_cast<std::uint64_t>(std::clamp(distance / (20 * cost_->band().radius_m()), 0.0, 31.0));
+      const double distance = (end_.place() - nodes_[at].pose.position()).norm();
+      until_shot_ = static_cast<std::uint64_t>(std::clamp(distance / (20 * cost_->band().radius_m()), 0.0, 31.0));
     }
     expand(at);
   }

@@ -55,6 +55,14 @@ class IntervalAStar {
   std::optional<Track> find(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options,
                             RunContext& run);
 
+  /// The same bit by bit: from here on `go_on` searches.
+  void begin(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options);
+  /// For at most so many expansions.
+  std::optional<Track> go_on(std::uint64_t most_expansions, RunContext& run);
+  /// Is there nothing left to expand, or no node left for it?
+  bool exhausted() const { return open_.empty() || nodes_.size() >= options_.most_nodes; }
+
+  /// Since the search began.
   std::uint64_t expansions() const { return expansions_; }
 
  private:
@@ -73,7 +81,6 @@ class IntervalAStar {
     bool operator>(const Open& other) const { return key != other.key ? key > other.key : node > other.node; }
   };
 
-  void begin(const FlightStart& start);
   Open pop_open();
   Track track_to(std::uint32_t node) const;
   void expand(std::uint32_t from);
@@ -81,11 +88,12 @@ class IntervalAStar {
   bool is_dominated(std::uint32_t& bin, const Node& node) const;
   std::uint32_t& bin_of(const PlanarPose& pose);
   double rest(const Node& node) const;
-  std::optional<Track> shot(std::uint32_t from, const FlightEnd& end) const;
+  std::optional<Track> shot(std::uint32_t from) const;
 
   const FlightCost* cost_;
   const ClimbField* to_go_;
   IntervalSearchOptions options_;
+  FlightEnd end_;
   Box2 area_;
   int columns_ = 0;
   int rows_ = 0;
@@ -94,6 +102,7 @@ class IntervalAStar {
   std::vector<std::pair<Steering, double>> primitives_;
   std::vector<Open> open_;  ///< A heap, the least key in front.
   std::uint64_t expansions_ = 0;
+  std::uint64_t until_shot_ = 0;
 };
 
 /// Cuts a track that leads to the middle of an end where it comes near enough.
