@@ -11,6 +11,7 @@
 #include "out/report/tables.hpp"
 #include "out/text.hpp"
 #include "study/compare/figures.hpp"
+#include "study/compare/tables.hpp"
 #include "study/machine.hpp"
 #include "study/matrix/views.hpp"
 #include "study/page/convergence_view.hpp"
@@ -43,11 +44,11 @@ class ComparePage {
     std::string body = fmt::format("<header><p>alate comparison</p><h1>{}</h1></header>\n", xml_escape(title));
     body += facts() + page_section("In short", in_short());
     body += page_section("Cost against time", cost_against_time());
-    body += page_section("When all time was up", final_table());
-    body += page_section("Median cost, time by time", times_table());
+    body += page_section("When all time was up", final_table(comparison_, ranks_));
+    body += page_section("Median cost, time by time", times_table(comparison_, ranks_));
     body += page_section("The routes", maps());
-    body += page_section("What the check refuses", broken_table());
-    body += page_section("Not in this comparison", absent());
+    body += page_section("What the check refuses", broken_table(comparison_, ranks_));
+    body += page_section("Not in this comparison", absent_table(comparison_));
     body += page_section("How it was made", settings());
     return html_page(title, body, std::string(kStudyStyle) + std::string(kViewStyle) + std::string(kCompareStyle));
   }
@@ -55,11 +56,6 @@ class ComparePage {
  private:
   const Site& site() const { return comparison_.world.site(); }
   const Contender& contender(const CompareFigures& each) const { return comparison_.contenders[each.contender]; }
-  std::string shown_name(const CompareFigures& each) const {
-    const Contender& who = contender(each);
-    return xml_escape(who.name) + (who.peer ? " <span class=\"soft\">other program</span>" : "");
-  }
-
   std::string facts() const {
     std::size_t passed = 0;
     for (const CompareRun& run : comparison_.runs) passed += run.marks.back().standing == Standing::passed ? 1U : 0U;
@@ -110,8 +106,8 @@ class ComparePage {
     return fmt::format(
         "<p class=\"lead\">The median run of the six that end best, and the band that holds the middle half of the "
         "routes that pass; beside it how these spread when all time was up. Both axes are logarithmic, and a line "
-        "begins "
-        "where the median run has a route that passes. The best known is the cheapest route of this comparison, so the "
+        "begins where the median run has a route that passes. The best known is the cheapest route of this comparison, "
+        "so the "
         "planner that found it may come down to the axis.</p>\n<div "
         "class=\"panels wide\"><figure>{}</figure>{}</div>\n{}",
         svg, boxes(), key());
@@ -121,69 +117,9 @@ class ComparePage {
     std::string items;
     for (std::size_t rank = 0; rank < std::min(ranks_.size(), kLineStyles); ++rank)
       if (ranks_[rank].solves())
-        items += fmt::format("<li><span class=\"swatch s-way w{}\"></span>{}</li>\n", rank, shown_name(ranks_[rank]));
+        items += fmt::format("<li><span class=\"swatch s-way w{}\"></span>{}</li>\n", rank,
+                             shown_name(comparison_, ranks_[rank]));
     return fmt::format("<ul class=\"key\">\n{}</ul>\n", items);
-  }
-
-  std::string above_best(const CompareFigures& each) const {
-    return each.solves() && best_ && *best_ > 0 ? fmt::format("{:+.2f}", 100 * (each.median / *best_ - 1)) : "–";
-  }
-
-  std::string final_table() const {
-    std::string rows;
-    for (const CompareFigures& each : ranks_) {
-      const auto value = [&](double Summary::* member) {
-        return each.cost ? std::optional((*each.cost).*member) : std::nullopt;
-      };
-      const auto shown = [](const std::optional<double>& cost) { return cost ? cost_words(*cost) : "–"; };
-      rows += fmt::format(
-          "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"num\">{} of {}</td><td class=\"num\">{}</td><td "
-          "class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
-          "class=\"num\">{}</td></tr>\n",
-          shown_name(each), xml_escape(verdict_of(each)), each.costs.size(), each.runs, cost_words(each.median),
-          above_best(each), shown(value(&Summary::mean)), shown(each.cost ? each.cost->sd : std::nullopt),
-          shown(value(&Summary::least)), shown(value(&Summary::greatest)));
-    }
-    return study_table({"Planner", "The check says"},
-                       {"Passed", "Median", "% above best", "Mean", "SD", "Least", "Greatest"}, rows) +
-           "<p class=\"soft\">Costs are what the independent check measures, of routes that pass. For the median a run "
-           "without one counts as costlier than any with one.</p>\n";
-  }
-
-  /// What became of the runs, in a few words.
-  static std::string verdict_of(const CompareFigures& each) {
-    if (each.costs.size() == each.runs) return "allowed";
-    std::string words = each.costs.empty() ? "" : "partly allowed";
-    const auto add = [&](std::size_t count, const char* what) {
-      if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, what);
-    };
-    add(each.refused, "refused");
-    add(each.late, "late");
-    add(each.none, "without a route");
-    return words;
-  }
-
-  std::string times_table() const {
-    std::string rows;
-    std::vector<std::string> heads;
-    for (const double time : comparison_.times_s) heads.push_back(time_words(time));
-    for (const CompareFigures& each : ranks_) {
-      rows += fmt::format("<tr><th scope=\"row\">{}</th>", shown_name(each));
-      for (std::size_t time = 0; time <= last_; ++time) {
-        const CompareFigures then = figures_of(comparison_, each.contender, time);
-        const std::string some =
-            then.costs.size() < then.runs && !then.costs.empty()
-                ? fmt::format(" <span class=\"soft\">{} of {}</span>", then.costs.size(), then.runs)
-                : "";
-        rows += fmt::format("<td class=\"num\">{}{}</td>", cost_words(then.median), some);
-      }
-      rows += "</tr>\n";
-    }
-    return study_table({"Planner"}, heads, rows) +
-           "<p class=\"soft\">A dash says that more than half of the runs had no route that passes; “2 of 5” how many "
-           "had one, where "
-           "not "
-           "all did.</p>\n";
   }
 
   /// Routes that pass, when all time was up. There is a best cost.
@@ -219,54 +155,20 @@ class ComparePage {
           routes.push_back({.route = &run.route, .faint = &run != each.typical});
       std::ranges::find(routes, false, &MapRoute::faint)->verdict = &each.typical->verdict;
       const CompareMark& mark = each.typical->marks.back();
-      panels +=
-          fmt::format("<figure><h4>{}</h4>{}<p class=\"soft\">{}: cost {}, {:.0f} m long, up {:.0f} m</p></figure>\n",
-                      shown_name(each), routes_map(site(), map, routes, "Routes of " + contender(each).name),
-                      mark.standing == Standing::passed ? "passed" : xml_escape("not allowed: " + why_not(mark)),
-                      cost_words(mark.metrics.cost), mark.metrics.length_m, mark.metrics.climb_m);
+      panels += fmt::format(
+          "<figure><h4>{}</h4>{}<p class=\"soft\">{}: cost {}, {:.0f} m long, up {:.0f} m</p></figure>\n",
+          shown_name(comparison_, each), routes_map(site(), map, routes, "Routes of " + contender(each).name),
+          mark.standing == Standing::passed ? "passed" : xml_escape("not allowed: " + why_not(mark)),
+          cost_words(mark.metrics.cost), mark.metrics.length_m, mark.metrics.climb_m);
     }
     if (panels.empty()) return "";
     return "<p class=\"lead\">Thick: the route of the median run; thin: those of the other seeds; crosses: where it "
-           "breaks "
-           "a rule.</p>\n<div class=\"panels wide maps\">\n" +
+           "breaks a rule.</p>\n<div class=\"panels wide maps\">\n" +
            panels + "</div>\n";
   }
 
   static std::string why_not(const CompareMark& mark) {
     return mark.standing == Standing::late ? "too late" : mark.broken;
-  }
-
-  std::string broken_table() const {
-    std::string rows;
-    for (const CompareFigures& each : ranks_) {
-      const Contender& who = contender(each);
-      for (const CompareRun& run : comparison_.runs) {
-        if (run.contender != each.contender) continue;
-        const CompareMark& mark = run.marks.back();
-        const bool bad_end = run.ending != "finished";
-        if (mark.standing != Standing::refused && run.refused == 0 && !bad_end) continue;
-        const std::string handed = who.peer ? fmt::format("{} of {}", run.refused, run.routes) : "";
-        rows += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"num\">{}</td><td "
-            "class=\"num\">{}</td></tr>\n",
-            xml_escape(who.name), xml_escape(mark.broken), bad_end ? xml_escape(run.ending + ": " + run.note) : "",
-            run.seed, handed);
-      }
-    }
-    if (rows.empty()) return "<p class=\"lead\">Nothing: every route that was handed over passes.</p>\n";
-    return study_table({"Planner", "Rules that its route breaks", "How the program ended"},
-                       {"Seed", "Refused of handed over"}, rows);
-  }
-
-  std::string absent() const {
-    std::string rows;
-    for (const CompareRefusal& each : comparison_.refusals)
-      rows +=
-          fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", xml_escape(each.name), xml_escape(each.why));
-    std::string text;
-    for (const std::string& note : comparison_.notes)
-      text += fmt::format("<p class=\"lead\">{}</p>\n", xml_escape(note));
-    return text + (rows.empty() ? "" : "<div class=\"told\">" + study_table({"Planner", "Why"}, {}, rows) + "</div>");
   }
 
   std::string settings() const {
@@ -278,11 +180,11 @@ class ComparePage {
     std::string times;
     for (const double time : comparison_.times_s) times += (times.empty() ? "" : ", ") + time_words(time);
     return "<p class=\"lead\">One run after another, seed by seed, each on one thread; reading the scenario is not in "
-           "the "
-           "time. Ours make a run of its own for each time. A planner of another program hands over each better route "
+           "the time. Ours make a run of its own for each time. A planner of another program hands over each better "
+           "route "
            "with its time, and one run tells of all. A route that comes later than its time by more than a twentieth, "
-           "or "
-           "5 ms, is too late. Planners that no seed changes run once. Times are of this machine, and longer if it had "
+           "or 5 ms, is too late. Planners that no seed changes run once. Times are of this machine, and longer if it "
+           "had "
            "other work.</p>\n" +
            pairs_table({{"alate", version()},
                         {"scenario", xml_escape(site().scenario.file)},
@@ -298,7 +200,7 @@ class ComparePage {
 
   const Comparison& comparison_;
   std::size_t last_;
-  std::vector<CompareFigures> ranks_;
+  Ranking ranks_;
   std::optional<double> best_;
 };
 
