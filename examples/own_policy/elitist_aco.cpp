@@ -10,7 +10,7 @@
 #include "aco/walk/grid_walk.hpp"
 #include "elitist.hpp"
 #include "plan/colony_parameters.hpp"
-#include "plan/grid_plan.hpp"
+#include "plan/grid/grid_plan.hpp"
 
 namespace {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
-#include "plan/attitude_planners.hpp"
-#include "plan/correction_planners.hpp"
-#include "plan/flight_planners.hpp"
-#include "plan/grid_planners.hpp"
-#include "plan/terrain_planners.hpp"
+#include "plan/attitude/attitude_planners.hpp"
+#include "plan/correction/correction_planners.hpp"
+#include "plan/flight/flight_planners.hpp"
+#include "plan/grid/grid_planners.hpp"
+#include "plan/grid/voxel_planners.hpp"
+#include "plan/terrain/terrain_planners.hpp"
 #include "plan/under_one_name.hpp"
-#include "plan/voxel_planners.hpp"
 
 namespace alate {
 

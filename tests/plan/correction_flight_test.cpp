@@ -3,7 +3,7 @@
 
 #include "alate/check/check.hpp"
 #include "alate/data/scenario_file.hpp"
-#include "plan/correction_legs.hpp"
+#include "plan/flight/correction_legs.hpp"
 #include "support/drifting_sites.hpp"
 #include "support/fly.hpp"
 

@@ -1,5 +1,5 @@
 // No flight costs less than what is said to be the least, and where none is said to exist none does.
-#include "plan/flight_bound.hpp"
+#include "plan/flight/flight_bound.hpp"
 
 #include <gtest/gtest.h>
 

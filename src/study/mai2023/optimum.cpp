@@ -1,7 +1,7 @@
 #include "study/mai2023/optimum.hpp"
 
 #include "alate/core/executor.hpp"
-#include "plan/lattice_parameters.hpp"
+#include "plan/attitude/lattice_parameters.hpp"
 
 namespace alate::mai2023 {
 

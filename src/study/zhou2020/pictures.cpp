@@ -11,7 +11,7 @@
 #include "out/report/svg.hpp"
 #include "out/route_points.hpp"
 #include "out/text.hpp"
-#include "plan/correction_planners.hpp"
+#include "plan/correction/correction_planners.hpp"
 #include "space/correction_route.hpp"
 #include "study/page/convergence_view.hpp"
 

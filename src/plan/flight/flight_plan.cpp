@@ -1,0 +1,37 @@
+#include "plan/flight/flight_plan.hpp"
+
+#include "plan/flight/flight_bound.hpp"
+#include "space/lower_bound.hpp"
+
+namespace alate {
+
+Plan begin_flight(const Site& site, const RunContext& run) {
+  const Mission& mission = site.mission;
+  Plan plan{.lower_bound = physical_bound(site, mission.start), .seed = run.seed()};
+  if ((mission.goal - mission.start).norm() <= mission.tolerance_m) {
+    plan.outcome = Outcome::feasible;
+    plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
+  }
+  return plan;
+}
+
+void conclude_flight(Plan& plan, const RunContext& run, std::string_view nothing) {
+  plan.counters["iterations"] = run.iterations();
+  plan.stop = run.stop();
+  const bool stopped = plan.stop == Stop::deadline || plan.stop == Stop::cancelled;
+  plan.reproducible = !stopped;
+  if (plan.route.empty() && plan.why.empty()) plan.why = stopped ? "stopped before any route was found" : nothing;
+}
+
+Plan plan_flight(const Problem& problem, RunContext& run, std::string_view nothing,
+                 const std::function<void(Plan&)>& fly) {
+  Plan plan = begin_flight(problem.world.site(), run);
+  if (plan.route.empty()) {
+    note_barrier(problem, run, plan);
+    if (plan.outcome != Outcome::infeasible_proven) fly(plan);
+  }
+  conclude_flight(plan, run, nothing);
+  return plan;
+}
+
+}  // namespace alate

@@ -1,0 +1,128 @@
+#include "plan/flight/interval_run.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "plan/flight/flight_ends.hpp"
+#include "search/interval/flight_profile.hpp"
+
+namespace alate {
+
+namespace {
+
+/// One search each, the hasty one first; few of the last ones end before the time does. Wide bins come early: they find
+/// other ways round for a fifth of the expansions.
+constexpr std::array kPasses{IntervalRun::kHasty,   IntervalPass{1.5, 2},    IntervalPass{1.3, 2},
+                             IntervalPass{1.05, 3}, IntervalPass{1.05, 2},   IntervalPass{1.15, 1},
+                             IntervalPass{1.05, 1}, IntervalPass{1.15, 0.5}, IntervalPass{1.05, 0.5}};
+
+/// Expansions of an iteration: they take about as long as the changes of another one.
+constexpr std::uint64_t kSlice = 1000;
+
+/// The share of the ball that a way which ends at `place` leaves for altitude.
+FlightEnd end_at(FlightEnd end, const Vec2& place) {
+  if (end.tolerance_m <= 0) return end;
+  constexpr double kRounding_m = 1e-9;
+  const double beside = (place - end.place()).norm() + kRounding_m;
+  if (beside < end.tolerance_m) end.tilt_rad = std::acos(beside / end.tolerance_m);
+  return end;
+}
+
+}  // namespace
+
+IntervalRun::IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before)
+    : air_(air), mission_(std::move(mission)), run_(run), before_(std::move(before)), random_(run.seed(), 0, 0) {}
+
+FlightEnd IntervalRun::end() const { return flight_end(mission_.goal, mission_.tolerance_m); }
+
+bool IntervalRun::add(const Track& track) {
+  if (track.empty()) return false;
+  const Vec2 last = track.back().end().position();
+  const FlightEnd end = end_at(this->end(), last);
+  constexpr double kRounding_m = 1e-6;
+  if ((last - end.place()).norm() > end.tolerance_m + kRounding_m) return false;
+  FlightPath path(air_.cost, end, track, mission_.start.z());
+  if (!std::isfinite(path.cost())) return false;
+  paths_.push_back(std::move(path));
+  std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
+  pass_ = std::max<std::size_t>(pass_, 1);  // Haste is for those who have nothing.
+  return true;
+}
+
+IntervalSearchOptions IntervalRun::options_of(const IntervalPass& pass) const {
+  const double bin = bin_width((mission_.goal - mission_.start).norm(), air_.band.radius_m());
+  return {.epsilon = pass.epsilon, .bin_m = bin * pass.bin, .most_nodes = pass.most_nodes};
+}
+
+bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan) {
+  const auto track = astar.find(flight_start(mission_), end(), options_of(pass), run_);
+  plan.counters["expansions"] += astar.expansions();
+  if (track) take(*track);
+  return track.has_value();
+}
+
+void IntervalRun::take(const Track& track) {
+  paths_.emplace_back(air_.cost, end(), track, mission_.start.z());
+  paths_.back().shorten(run_);
+}
+
+void IntervalRun::search_on(IntervalAStar& astar, Plan& plan) {
+  if (!searching_) astar.begin(flight_start(mission_), end(), options_of(kPasses[pass_]));
+  const std::uint64_t before = astar.expansions();
+  // Haste is let go on to its end; others share the time with changes to what is there.
+  const auto track = astar.go_on(paths_.empty() ? std::numeric_limits<std::uint64_t>::max() : kSlice, run_);
+  plan.counters["expansions"] += astar.expansions() - before;
+  searching_ = !track && !astar.exhausted();
+  if (searching_) return;
+  ++pass_;
+  if (!track) return;
+  take(*track);
+  paths_.back().better(random_, kTrials, run_);
+}
+
+void IntervalRun::change_some() {
+  // The best one every other round, the second one every fourth, ...
+  const auto rank = static_cast<std::size_t>(std::countr_zero(++rounds_));
+  paths_[std::min(rank, paths_.size() - 1)].better(random_, kTrials, run_);
+}
+
+void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound) {
+  bool bounded = note_bound == nullptr;
+  while (run_.start_iteration(kIterations)) {
+    if (pass_ < kPasses.size() && (paths_.empty() || run_.iterations() % 2 != 0)) {
+      search_on(astar, plan);
+    } else if (paths_.empty()) {
+      return;
+    } else {
+      change_some();
+    }
+    std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
+    if (!paths_.empty()) fly_best(plan);
+    if (bounded || (plan.route.empty() && run_.iterations() > 1)) continue;
+    note_bound(plan);
+    bounded = !plan.route.empty();
+    if (plan.outcome == Outcome::infeasible_proven) return;
+  }
+}
+
+void IntervalRun::fly_best(Plan& plan) {
+  const FlightPath& path = paths_.front();
+  auto route = fly_track(air_.cost, path.track(), mission_.start, path.end());
+  if (!route) return;
+  if (!before_.empty()) {
+    Route whole = before_;
+    whole.states.insert(whole.states.end(), route->states.begin() + 1, route->states.end());
+    route = std::move(whole);
+  }
+  const double cost = air_.objective.route_cost(*route);
+  if (plan.route.empty() || cost < plan.cost) {
+    plan.outcome = Outcome::feasible;
+    plan.route = std::move(*route);
+    plan.cost = cost;
+  }
+  run_.report(plan.cost);
+}
+
+}  // namespace alate
