@@ -172,8 +172,8 @@ void ClimbField::relax(std::size_t cell, const Step& step, std::size_t to, const
     if (least > most || !(way + fresh.cheapest < here[layer])) continue;
     float best = kNever;
     const auto look = [&](float value, float at) {
-      const float price = value + climb_weight_ * std::max(0.0F, at - z);
-      if (price < best) best = price;  // never for what is no number: between samples of which one is infinite
+      // What is no number, between samples of which one is infinite, is never less.
+      best = std::min(best, value + climb_weight_ * std::max(0.0F, at - z));
     };
     const auto look_between = [&](float at) {
       const float position = (at - bottom) * per_metre;
