@@ -95,7 +95,7 @@ void draw_route(Svg& svg, const MapFrame& map, const Route& route) {
     return (map(route.states[i].position) - map(route.states[i - 1].position)).norm() >= kRoom;
   };
   for (std::size_t i = 1; i + 1 < route.states.size(); ++i)
-    if (apart(i) && apart(i + 1)) svg.circle(map(route.states[i].position), 2.2, "waypoint");
+    if (apart(i) && apart(i + 1)) svg.circle(map(route.states[i].position), 2.8, "waypoint");
 }
 
 void draw_violations(Svg& svg, const MapFrame& map, const Verdict& verdict) {

@@ -79,7 +79,7 @@ svg .blank { fill: var(--card); }
 svg .route { fill: none; stroke: var(--route); stroke-width: 4; stroke-linejoin: round; stroke-linecap: round; }
 svg .halo { fill: none; stroke: var(--halo); stroke-width: 8; stroke-linejoin: round; stroke-linecap: round;
   opacity: .85; }
-svg .waypoint { fill: var(--halo); }
+svg .waypoint { fill: var(--halo); stroke: var(--route); stroke-width: 1.5; }
 svg .direct { stroke: var(--ink); stroke-width: 1.6; stroke-dasharray: 7 6; }
 svg .barred { fill: none; stroke: var(--fail); stroke-width: 4.5; opacity: .8; }
 svg .threat { fill: var(--threat); fill-opacity: .18; stroke: var(--threat); stroke-width: 1.8; }
