@@ -1,7 +1,9 @@
 // The processes that mpirun started together.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
 
 namespace alate::cli {
 
@@ -27,6 +29,23 @@ class Ranks {
   bool started_ = false;
   std::size_t rank_ = 0;
   std::size_t count_ = 1;
+};
+
+/// Counts for all ranks together. They make it at the same time, and each waits for the others when it ends it.
+class SharedCounter {
+ public:
+  explicit SharedCounter(const Ranks& ranks);
+  ~SharedCounter();
+  SharedCounter(const SharedCounter&) = delete;
+  SharedCounter& operator=(const SharedCounter&) = delete;
+
+  /// 0, 1, 2, ...: each number once, whichever rank and thread asks.
+  std::size_t next();
+
+ private:
+  struct Window;
+  std::unique_ptr<Window> window_;  ///< Empty where one process is alone.
+  std::atomic<std::size_t> own_{0};
 };
 
 }  // namespace alate::cli

@@ -49,13 +49,14 @@ Setting read_setting(const StudyLine& line, const Ranks& ranks, FaultList& fault
   return {.study = std::move(*study), .folder = line.out.value_or(""), .threads = threads};
 }
 
-/// The rank's share. False if stopped, by any rank.
+/// What the rank is handed out. False if stopped, by any rank.
 bool run_share(const Setting& setting, StudyRecords& records, const Ranks& ranks, const Interrupt& interrupt) {
   ProgressBar bar("run");
   Executor executor(setting.threads);
+  SharedCounter counter(ranks);
   const StudyOptions options{.folder = setting.folder,
                              .rank = ranks.rank(),
-                             .ranks = ranks.count(),
+                             .next = [&counter] { return counter.next(); },
                              .stop = interrupt.token(),
                              .on_progress = [&bar](const Progress& progress) { bar.draw(progress); }};
   try {

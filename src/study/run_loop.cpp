@@ -1,5 +1,6 @@
 #include "study/run_loop.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -12,9 +13,10 @@ class Counter {
  public:
   explicit Counter(const RunLoop& loop) : loop_(loop) {}
 
-  void finish_one() {
+  /// Of shared work, all that was handed out before counts as done.
+  void finish(std::size_t index) {
     const std::lock_guard lock(mutex_);
-    ++done_;
+    done_ = loop_.next ? std::max<std::uint64_t>(done_, index + 1) : done_ + 1;
     if (!loop_.on_progress) return;
     loop_.on_progress({.iteration = done_, .fraction = static_cast<double>(done_) / static_cast<double>(loop_.count)});
   }
@@ -41,12 +43,13 @@ StudyRun run_once(const Planner& planner, const Problem& problem, RunOptions opt
 
 bool run_all(const RunLoop& loop, Executor& executor) {
   Counter counter(loop);
-  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> own{0};
+  const auto next = [&] { return loop.next ? loop.next() : own++; };
   // One run after another, not pieces of many: near the end no thread may be left with a whole piece.
   const auto work = [&] {
-    for (std::size_t i = next++; i < loop.count && !loop.stop.stop_requested(); i = next++) {
+    for (std::size_t i = next(); i < loop.count && !loop.stop.stop_requested(); i = next()) {
       loop.run(i);
-      counter.finish_one();
+      counter.finish(i);
     }
   };
   executor.for_ranges(static_cast<std::size_t>(executor.threads()), [&](std::size_t begin, std::size_t end) {

@@ -23,7 +23,8 @@ StudyRun run_once(const Planner& planner, const Problem& problem, RunOptions opt
 
 struct RunLoop {
   std::size_t count = 0;
-  std::function<void(std::size_t)> run;  ///< Called once for each index below `count`, by any thread.
+  std::function<void(std::size_t)> run;  ///< Called for each index below `count` that is handed out, by any thread.
+  std::function<std::size_t()> next;  ///< Hands out 0, 1, 2, ... to all who share the work; empty: to this loop alone.
   std::stop_token stop;
   std::function<void(const Progress&)> on_progress;  ///< Called by one thread at a time; an iteration is a run.
 };

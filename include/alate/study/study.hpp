@@ -94,9 +94,11 @@ using StudyRecords = std::vector<std::optional<StudyRecord>>;
 Study load_study(const std::string& file, const Registry& registry = builtin_planners());
 
 struct StudyOptions {
-  std::string folder;  ///< Of the journal; empty: none is kept.
-  std::size_t rank = 0;
-  std::size_t ranks = 1;  ///< Processes that share the runs; each takes every ranks-th of what is left.
+  std::string folder;    ///< Of the journal; empty: none is kept.
+  std::size_t rank = 0;  ///< Of this process among them; names its journal.
+  /// Hands out 0, 1, 2, ... to all processes that share the runs, each number to one of them, until long after the last
+  /// run. Any thread may call it. Empty: one process does them all.
+  std::function<std::size_t()> next;
   std::stop_token stop;
   std::function<void(const Progress&)> on_progress;  ///< Called by one thread at a time; an iteration is a run.
 };
@@ -105,8 +107,8 @@ struct StudyOptions {
 /// InputError (field `--out`) if a journal belongs to another study.
 StudyRecords read_journals(const Study& study, const std::string& folder);
 
-/// Does this rank's share of what `records` lacks, one run a thread, and adds each to its journal as it ends. False if
-/// stopped. Throws std::system_error if the disk fails.
+/// Does what `records` lacks, or those of it that `next` hands out, one run a thread, and adds each to its journal as
+/// it ends. False if stopped. Throws std::system_error if the disk fails.
 bool run_study(const Study& study, StudyRecords& records, Executor& executor, const StudyOptions& options);
 
 /// One line a run, in the order of the jobs, references left out; then one for each scenario that a planner refused.

@@ -10,17 +10,11 @@ namespace alate {
 
 namespace {
 
-/// Every ranks-th of the jobs without a record, each time one further on: else a rank might get all the runs of the
-/// slowest planner.
-std::vector<std::size_t> share_of(const StudyRecords& records, const StudyOptions& options) {
-  std::vector<std::size_t> share;
-  std::size_t left = 0;
+std::vector<std::size_t> without_record(const StudyRecords& records) {
+  std::vector<std::size_t> left;
   for (std::size_t job = 0; job < records.size(); ++job)
-    if (!records[job]) {
-      if ((left + left / options.ranks) % options.ranks == options.rank) share.push_back(job);
-      ++left;
-    }
-  return share;
+    if (!records[job]) left.push_back(job);
+  return left;
 }
 
 StudyRun run_job(const Study& study, const StudyJob& job, const std::stop_token& stop) {
@@ -37,19 +31,23 @@ StudyRun run_job(const Study& study, const StudyJob& job, const std::stop_token&
 }  // namespace
 
 bool run_study(const Study& study, StudyRecords& records, Executor& executor, const StudyOptions& options) {
-  const std::vector<std::size_t> share = share_of(records, options);
+  const std::vector<std::size_t> left = without_record(records);
   std::unique_ptr<Journal> journal;
-  if (!options.folder.empty() && !share.empty())
+  if (!options.folder.empty() && !left.empty())
     journal = std::make_unique<Journal>(options.folder, options.rank, study);
   std::mutex mutex;
   const auto run = [&](std::size_t i) {
-    const StudyRun done = run_job(study, study.jobs[share[i]], options.stop);
+    const StudyRun done = run_job(study, study.jobs[left[i]], options.stop);
     if (done.plan.stop == Stop::cancelled) return;
-    records[share[i]] = record_of(done);
+    records[left[i]] = record_of(done);
     const std::lock_guard lock(mutex);
-    if (journal) journal->add(share[i], *records[share[i]]);
+    if (journal) journal->add(left[i], *records[left[i]]);
   };
-  return run_all({.count = share.size(), .run = run, .stop = options.stop, .on_progress = options.on_progress},
+  return run_all({.count = left.size(),
+                  .run = run,
+                  .next = options.next,
+                  .stop = options.stop,
+                  .on_progress = options.on_progress},
                  executor);
 }
 
