@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures what docs/what-ants-are-worth.md and docs/compare.md tell, and puts the figures into them:
 #   studies/measure.sh [study] [maps] [scaling]      (default: these three; some ten minutes on four idle cores)
-#   studies/measure.sh compare                       (six minutes a world)
+#   studies/measure.sh compare                       (six minutes a world, THREADS of them at a time)
 # Nothing else should run beside it. THREADS: cores to use, default 4, no more than are idle. `maps` and `compare` want
 # the bench preset built, `scaling` wants mpirun, `compare` OMPL. TERRAIN: folder of the rasters that worlds name.
 # WORLDS, SECONDS_EACH, SEEDS: of `compare`; default all in examples/worlds, 10 and 5.
@@ -116,22 +116,31 @@ world_line() {
     }' "out/compare/$1/rows.csv"
 }
 
-# Each world on one core, one after another.
+# All planners in one world, one after another on one core.
+compare_in() {
+  local world=$1 dem peer
+  local -a arguments=(--seconds "$2" --seeds "$3" --only interval-astar)
+  for peer in rrtconnect-restarts rrtconnect-elites anytime-path-shortening rrt-star informed-rrt-star bit-star; do
+    arguments+=(--only "$peer")
+  done
+  dem=$(sed -n 's/.*dem: *\([^,} ]*\).*/\1/p' "examples/worlds/$world.yaml" | head -n 1)
+  if [[ -n $dem && ! -e examples/worlds/$dem ]]; then
+    dem=$(find "${TERRAIN:?names the folder of $dem}" -name "$dem" | head -n 1)
+    arguments+=(--override "terrain.dem=$dem")
+  fi
+  build/bench/bin/alate compare "examples/worlds/$world.yaml" "${arguments[@]}" --out "out/compare/$world" >&2
+}
+
+# As many worlds at a time as there are threads.
 compare() {
-  local seconds=${SECONDS_EACH:-10} seeds=${SEEDS:-5} ratios world dem peer arguments
-  local -a only=(--only interval-astar)
+  local seconds=${SECONDS_EACH:-10} seeds=${SEEDS:-5} ratios world
   page=docs/compare.md
   ratios=$(mktemp)
-  for peer in rrtconnect-restarts rrtconnect-elites anytime-path-shortening rrt-star informed-rrt-star bit-star; do
-    only+=(--only "$peer")
-  done
   for world in ${WORLDS:-$(basename -s .yaml examples/worlds/*.yaml)}; do
-    arguments=()
-    dem=$(sed -n 's/.*dem: *\([^,} ]*\).*/\1/p' "examples/worlds/$world.yaml" | head -n 1)
-    [[ -z $dem || -e examples/worlds/$dem ]] || arguments=(--override "terrain.dem=${TERRAIN:?names the folder of $dem}/$dem")
-    build/bench/bin/alate compare "examples/worlds/$world.yaml" "${arguments[@]}" "${only[@]}" \
-      --seconds "$seconds" --seeds "$seeds" --out "out/compare/$world" >&2
+    while (($(jobs -rp | wc -l) >= threads)); do wait -n; done
+    compare_in "$world" "$seconds" "$seeds" &
   done
+  while (($(jobs -rp | wc -l) > 0)); do wait -n; done
   {
     echo "Median cost of routes that pass the check, $seeds seeds, one core, $(machine). Ratios below 1: ours is cheaper."
     echo
