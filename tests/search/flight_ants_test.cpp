@@ -173,7 +173,7 @@ TEST(FlightPool, BettersWaysByTurnsAndKeepsOneOfThoseAlike) {
   FlightPool pool(100, 300);
   EXPECT_TRUE(pool.empty());
   const FlightPath path(sky.cost, sky.end, joined(sky.ants.track(walk(sky.ants, 5))), z);
-  pool.add(path, random, sky.run);
+  pool.add_bettered(path, random, sky.run);
   ASSERT_FALSE(pool.empty());
   EXPECT_LT(pool.best().cost(), path.cost());
   double before = pool.best().cost();
@@ -182,7 +182,7 @@ TEST(FlightPool, BettersWaysByTurnsAndKeepsOneOfThoseAlike) {
     EXPECT_LE(pool.best().cost(), before + 1e-4);
     before = pool.best().cost();
   }
-  pool.add(FlightPath(sky.cost, sky.end, pool.best().track(), z), random, sky.run);
+  pool.add_bettered(FlightPath(sky.cost, sky.end, pool.best().track(), z), random, sky.run);
   EXPECT_EQ(pool.size(), 1U);
 }
 

@@ -1,7 +1,6 @@
 #include "plan/flight/interval_run.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +19,11 @@ constexpr std::array kPasses{IntervalRun::kHasty,   IntervalPass{1.5, 2},    Int
 
 /// Expansions of an iteration: they take about as long as the changes of another one.
 constexpr std::uint64_t kSlice = 1000;
+/// The second search seldom needs more, and seldom fails to find a much better way than the hasty one.
+constexpr std::uint64_t kSecond = 20'000;
+
+/// Bins; of ways that are nearer to each other only one is bettered.
+constexpr double kApart = 3;
 
 /// The share of the ball that a way which ends at `place` leaves for altitude.
 FlightEnd end_at(FlightEnd end, const Vec2& place) {
@@ -33,7 +37,12 @@ FlightEnd end_at(FlightEnd end, const Vec2& place) {
 }  // namespace
 
 IntervalRun::IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before)
-    : air_(air), mission_(std::move(mission)), run_(run), before_(std::move(before)), random_(run.seed(), 0, 0) {}
+    : air_(air),
+      mission_(std::move(mission)),
+      run_(run),
+      before_(std::move(before)),
+      random_(run.seed(), 0, 0),
+      pool_(kTrials, kApart * bin_width((mission_.goal - mission_.start).norm(), air.band.radius_m())) {}
 
 FlightEnd IntervalRun::end() const { return flight_end(mission_.goal, mission_.tolerance_m); }
 
@@ -45,8 +54,7 @@ bool IntervalRun::add(const Track& track) {
   if ((last - end.place()).norm() > end.tolerance_m + kRounding_m) return false;
   FlightPath path(air_.cost, end, track, mission_.start.z());
   if (!std::isfinite(path.cost())) return false;
-  paths_.push_back(std::move(path));
-  std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
+  pool_.add(std::move(path));
   pass_ = std::max<std::size_t>(pass_, 1);  // Haste is for those who have nothing.
   return true;
 }
@@ -59,47 +67,50 @@ IntervalSearchOptions IntervalRun::options_of(const IntervalPass& pass) const {
 bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan) {
   const auto track = astar.find(flight_start(mission_), end(), options_of(pass), run_);
   plan.counters["expansions"] += astar.expansions();
-  if (track) take(*track);
-  return track.has_value();
+  if (!track) return false;
+  FlightPath path = path_of(*track);
+  path.shorten(run_);
+  pool_.add(std::move(path));
+  return true;
 }
 
-void IntervalRun::take(const Track& track) {
-  paths_.emplace_back(air_.cost, end(), track, mission_.start.z());
-  paths_.back().shorten(run_);
-}
+FlightPath IntervalRun::path_of(const Track& track) const { return {air_.cost, end(), track, mission_.start.z()}; }
 
 void IntervalRun::search_on(IntervalAStar& astar, Plan& plan) {
   if (!searching_) astar.begin(flight_start(mission_), end(), options_of(kPasses[pass_]));
   const std::uint64_t before = astar.expansions();
-  // Haste is let go on to its end; others share the time with changes to what is there.
-  const auto track = astar.go_on(paths_.empty() ? std::numeric_limits<std::uint64_t>::max() : kSlice, run_);
+  std::uint64_t most = pass_ == 1 ? kSecond : kSlice;
+  if (pool_.empty()) most = std::numeric_limits<std::uint64_t>::max();
+  const auto track = astar.go_on(most, run_);
   plan.counters["expansions"] += astar.expansions() - before;
   searching_ = !track && !astar.exhausted();
   if (searching_) return;
   ++pass_;
-  if (!track) return;
-  take(*track);
-  paths_.back().better(random_, kTrials, run_);
+  if (track) pool_.add_bettered(path_of(*track), random_, run_);
 }
 
-void IntervalRun::change_some() {
-  // The best one every other round, the second one every fourth, ...
-  const auto rank = static_cast<std::size_t>(std::countr_zero(++rounds_));
-  paths_[std::min(rank, paths_.size() - 1)].better(random_, kTrials, run_);
+/// Choosing altitudes takes as long as changing a way. What is flown does not hang on when the run will end, so that
+/// more iterations never give a worse route.
+bool IntervalRun::is_worth_flying(const Plan& plan) const {
+  constexpr double kGain = 0.001;
+  constexpr std::uint64_t kFlyEvery = 8;
+  if (pool_.empty() || pool_.best().cost() >= flown_) return false;
+  const bool much = pool_.best().cost() < (1 - kGain) * flown_;
+  return plan.route.empty() || much || run_.iterations() % kFlyEvery == 0;
 }
 
 void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound) {
   bool bounded = note_bound == nullptr;
   while (run_.start_iteration(kIterations)) {
-    if (pass_ < kPasses.size() && (paths_.empty() || run_.iterations() % 2 != 0)) {
+    if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
       search_on(astar, plan);
-    } else if (paths_.empty()) {
+    } else if (pool_.empty()) {
       return;
     } else {
-      change_some();
+      pool_.better(random_, run_);
     }
-    std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost);
-    if (!paths_.empty()) fly_best(plan);
+    if (is_worth_flying(plan)) fly_best(plan);
+    if (!plan.route.empty()) run_.report(plan.cost);
     if (bounded || (plan.route.empty() && run_.iterations() > 1)) continue;
     note_bound(plan);
     bounded = !plan.route.empty();
@@ -108,7 +119,8 @@ void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<
 }
 
 void IntervalRun::fly_best(Plan& plan) {
-  const FlightPath& path = paths_.front();
+  const FlightPath& path = pool_.best();
+  flown_ = path.cost();
   auto route = fly_track(air_.cost, path.track(), mission_.start, path.end());
   if (!route) return;
   if (!before_.empty()) {
@@ -122,7 +134,6 @@ void IntervalRun::fly_best(Plan& plan) {
     plan.route = std::move(*route);
     plan.cost = cost;
   }
-  run_.report(plan.cost);
 }
 
 }  // namespace alate

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "search/interval/flight_path.hpp"
+#include "search/interval/flight_pool.hpp"
 #include "space/flight/flight_air.hpp"
 
 namespace alate {
@@ -49,19 +49,19 @@ class IntervalRun {
   static constexpr int kTrials = 250;  ///< Of changes, an iteration.
 
   IntervalSearchOptions options_of(const IntervalPass& pass) const;
-  void take(const Track& track);
+  FlightPath path_of(const Track& track) const;
   void search_on(IntervalAStar& astar, Plan& plan);
-  void change_some();
+  bool is_worth_flying(const Plan& plan) const;
 
   const FlightAir& air_;
   Mission mission_;
   RunContext& run_;
   Route before_;
   Stream random_;
-  std::vector<FlightPath> paths_;  ///< The cheapest first.
+  FlightPool pool_;
+  double flown_ = kInfinity;       ///< What the way cost, as far as it was known, for which altitudes were chosen last.
   bool searching_ = false;         ///< A search has begun and not ended.
   std::size_t pass_ = 0;
-  std::uint64_t rounds_ = 0;
 };
 
 /// What is said where a run ends without a route.

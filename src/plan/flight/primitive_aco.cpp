@@ -53,7 +53,8 @@ class FlightWork {
 
   /// Takes in a track, if there is any, and works on with those that are there.
   void better(const Track& track, RunContext& run) {
-    if (!track.empty()) pool_.add(FlightPath(air_.cost, end_, track, problem_.mission.start.z()), random_, run);
+    if (!track.empty())
+      pool_.add_bettered(FlightPath(air_.cost, end_, track, problem_.mission.start.z()), random_, run);
     pool_.better(random_, run);
     if (!pool_.empty()) keep(pool_.best().track(), pool_.best().end());
     run.report(plan_.route.empty() ? std::nullopt : std::optional(plan_.cost));

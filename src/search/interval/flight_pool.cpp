@@ -32,10 +32,14 @@ bool FlightPool::alike(const Track& a, const Track& b) const {
 
 void FlightPool::sort() { std::ranges::stable_sort(paths_, std::less{}, &FlightPath::cost); }
 
-void FlightPool::add(FlightPath path, Stream& random, RunContext& run) {
-  if (!std::isfinite(path.cost())) return;
+void FlightPool::add_bettered(FlightPath path, Stream& random, RunContext& run) {
   path.shorten(run);
   path.better(random, trials_, run);
+  add(std::move(path));
+}
+
+void FlightPool::add(FlightPath path) {
+  if (!std::isfinite(path.cost())) return;
   const Track track = path.track();
   const auto twin = std::ranges::find_if(paths_, [&](const FlightPath& one) { return alike(one.track(), track); });
   if (twin == paths_.end())

@@ -17,8 +17,10 @@ class FlightPool {
   /// The cheapest, as far as is known before altitudes are chosen.
   const FlightPath& best() const { return paths_.front(); }
 
-  /// Shortens a way, betters it for a round and takes it in, unless it is none or much like a better one.
-  void add(FlightPath path, Stream& random, RunContext& run);
+  /// Takes a way in, unless it is none or much like a better one.
+  void add(FlightPath path);
+  /// Shortens it and betters it for a round before.
+  void add_bettered(FlightPath path, Stream& random, RunContext& run);
   /// A round on one of the ways.
   void better(Stream& random, RunContext& run);
 
