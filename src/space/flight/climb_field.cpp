@@ -116,7 +116,7 @@ void ClimbField::enqueue(std::size_t cell, float value) {
 /// Tells the neighbours of its fresh values.
 void ClimbField::settle(std::size_t cell) {
   const float* values = &values_[cell * kLayers];
-  const auto is_fresh = [&](int layer) { return (fresh_[cell] >> static_cast<unsigned>(layer) & 1U) != 0; };
+  const auto is_fresh = [&](int layer) { return (unsigned{fresh_[cell]} >> static_cast<unsigned>(layer) & 1U) != 0; };
   for (int layer = kLayers - 1; layer >= 0; --layer)
     if (is_fresh(layer)) circle(cell, layer);
   Fresh fresh{.low = kLayers, .high = 0, .cheapest = kNever};
