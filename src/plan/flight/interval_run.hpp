@@ -59,8 +59,8 @@ class IntervalRun {
   Route before_;
   Stream random_;
   FlightPool pool_;
-  double flown_ = kInfinity;       ///< What the way cost, as far as it was known, for which altitudes were chosen last.
-  bool searching_ = false;         ///< A search has begun and not ended.
+  double flown_ = kInfinity;  ///< What the way cost, as far as it was known, for which altitudes were chosen last.
+  bool searching_ = false;    ///< A search has begun and not ended.
   std::size_t pass_ = 0;
 };
 
