@@ -55,7 +55,8 @@ void Ranks::abort(int code) const {
 /// A number in the memory of the first rank that others change where it lies.
 struct SharedCounter::Window {
   Window() {
-    MPI_Win_allocate(sizeof(std::uint64_t), sizeof(std::uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD, &number, &window);
+    MPI_Win_allocate(sizeof(std::uint64_t), sizeof(std::uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                     static_cast<void*>(&number), &window);
     MPI_Win_lock(MPI_LOCK_EXCLUSIVE, own_rank(), 0, window);
     *number = 0;
     MPI_Win_unlock(own_rank(), window);
