@@ -93,6 +93,24 @@ TEST_F(StudyRun, RefusesTheFolderOfAnotherStudy) {
   EXPECT_EQ(journal("out"), journal_before);
 }
 
+TEST_F(StudyRun, RefusesTheFolderOfAnotherMap) {
+  const std::string map = "type octile\nheight 2\nwidth 4\nmap\n....\n....\n";
+  const auto plan_on = [&](const std::string& text) {
+    write_file(folder_ / "own.map", text);
+    return alate(words("out"));
+  };
+  write_file(study_,
+             "scenarios: [{grid: {map: own.map}, start: {cell: [0, 0]}, goal: {cell: [3, 0]}}]\n"
+             "planners: [{name: astar}]\n");
+  const Finished first = plan_on(map);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const Finished again = plan_on(map);
+  EXPECT_EQ(again.code, 0) << again.err;
+  const Finished other = plan_on(replaced(map, "map\n....", "map\n.@.."));
+  EXPECT_EQ(other.code, 2);
+  expect_contains(other.err, {"--out", "another study"});
+}
+
 TEST_F(StudyRun, StopsOnRequestAndGoesOn) {
   Process process(alate_command(words("out", "1")));
   while (process.running() && !std::filesystem::exists(folder_ / "out/journal-0.jsonl"))

@@ -67,7 +67,7 @@ struct Study {
   std::vector<StudyBudget> budgets;
   std::vector<StudyRefusal> refusals;  ///< By group, then planner: pairs without jobs.
   std::vector<StudyJob> jobs;          ///< By scenario, planner, budget, seed; then the references.
-  std::string fingerprint;  ///< Of the study's text, its scenarios and the version: tells whose journal it is.
+  std::string fingerprint;  ///< Of the study's text, its scenarios, what they name, the version: whose journal it is.
 };
 
 /// What is kept of one run. Costs are what `measure` says.

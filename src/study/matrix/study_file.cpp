@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "alate/core/version.hpp"
 #include "alate/data/scenario_file.hpp"
@@ -113,10 +114,34 @@ void add_jobs(Study& study, const std::vector<std::uint64_t>& seeds) {
     }
 }
 
+/// What the files held that a scenario names: ground, maps and points.
+void add_contents(const Site& site, Checksum& sum) {
+  if (const auto* raster = std::get_if<HeightRaster>(&site.ground)) {
+    sum.add_numbers(std::array{raster->area.min.x(), raster->area.min.y(), raster->area.max.x(), raster->area.max.y()});
+    sum.add_numbers(raster->posts);
+  }
+  if (site.grid) {
+    sum.add_numbers(site.grid->blocked);
+    sum.add_numbers(site.grid->height_m);
+  }
+  if (site.voxels) site.voxels->for_each_blocked([&](const VoxelCell& cell) { sum.add_numbers(cell); });
+  if (!site.navigation) return;
+  for (const CorrectionPoint& point : site.navigation->points) {
+    sum.add_numbers(std::array{point.id, static_cast<int>(point.kind)});
+    sum.add_numbers(std::array{point.position.x(), point.position.y(), point.position.z(), point.success});
+  }
+}
+
 std::string fingerprint_of(const Study& study, const std::string& text) {
-  std::string all = std::string(version()) + "\n" + text;
-  for (const StudyScenario& scenario : study.scenarios) all += to_yaml(scenario.world.site().scenario);
-  return checksum(all);
+  Checksum sum;
+  sum.add(version());
+  sum.add("\n");
+  sum.add(text);
+  for (const StudyScenario& scenario : study.scenarios) {
+    sum.add(to_yaml(scenario.world.site().scenario));
+    add_contents(scenario.world.site(), sum);
+  }
+  return sum.text();
 }
 
 }  // namespace
