@@ -127,6 +127,21 @@ std::vector<std::string> overrides_for(const Flight& flight, const std::vector<s
   return all;
 }
 
+/// What is changed, at the state in flight. Its faults are not those of the user's words.
+Site site_in_flight(const Flight& flight, const ReplanLine& line, const std::string& scenario, double at_s) {
+  try {
+    return load_site(load_scenario(scenario, overrides_for(flight, line.overrides, scenario)));
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) {
+      if (fault.file != "--override" || fault.field != "start") continue;
+      fault.file = fmt::format("--at-s {}", at_s);
+      fault.field = "the aircraft by then";
+    }
+    throw InputError(std::move(faults));
+  }
+}
+
 std::string kilometres(double metres) { return fmt::format("{:.1f} km", metres / 1000); }
 
 /// May the old route be flown on?
@@ -156,8 +171,7 @@ std::optional<Task> read_task(const ReplanLine& line, const std::string& scenari
   if (!flight || !at_s) return std::nullopt;
   return faults.collect([&] {
     flight->now = state_at(*flight, *at_s, from);
-    Site site = load_site(load_scenario(scenario, overrides_for(*flight, line.overrides, scenario)));
-    auto session = std::make_unique<Session>(std::move(site));
+    auto session = std::make_unique<Session>(site_in_flight(*flight, line, scenario, *at_s));
     session->follow(flight->route);
     return Task{.flight = std::move(*flight), .session = std::move(session)};
   });

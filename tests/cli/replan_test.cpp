@@ -93,6 +93,11 @@ TEST_F(Replan, RefusesTimesThatAreNone) {
   expect_refused({"replan", kJacksboro, "--from", flight(), "--at-s", "99999"}, {"--at-s", "the flight is over"});
 }
 
+TEST_F(Replan, NamesTheAircraftThatIsAboveTheNewCeiling) {
+  expect_refused({"replan", kJacksboro, "--from", flight(), "--at-s", "400", "--override", "terrain.ceiling_agl_m=62"},
+                 {"--at-s 400: the aircraft by then: is above the ceiling", "goal: is above the ceiling"});
+}
+
 TEST_F(Replan, RefusesWhatIsNoFlightOfTheScenario) {
   expect_refused({"replan", kCorrectionPoints, "--from", flight(), "--at-s", "10"}, {"another scenario"});
   write_file(folder_ / "cut.json", read_file(flight()).substr(0, 500));
@@ -119,7 +124,7 @@ TEST_F(Replan, NeedsASpeed) {
 /// The aircraft is too low already.
 TEST_F(Replan, RefusesAStateThatIsLost) {
   expect_refused({"replan", kJacksboro, "--from", flight(), "--at-s", "300", "--override", "terrain.clearance_m=190"},
-                 {"start", "clearance"});
+                 {"the aircraft by then", "clearance"});
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // What lives on a track is what the check lets fly; and the flagship on sites where the answer is known.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "alate/check/check.hpp"
+#include "alate/core/along_route.hpp"
 #include "alate/core/stream.hpp"
 #include "alate/data/scenario_file.hpp"
 #include "search/interval/flight_path.hpp"
@@ -139,6 +142,43 @@ TEST(IntervalAStar, RoundsAWallThroughItsGap) {
   // Over the gap's middle at the least: 4 km east and 4 km north, twice.
   EXPECT_GT(plan.cost, 2 * std::hypot(3900, 3900));
   EXPECT_LT(plan.cost, 2 * std::hypot(4000, 4000) * 1.05);
+}
+
+/// The cheapest way round Jacksboro's threats is some 26 500 m long, the shortest between their cores less.
+TEST(IntervalAStar, KeepsTheRange) {
+  Site site = jacksboro_site();
+  const auto fly = [&](double range_m) {
+    site.vehicle.range_m = range_m;
+    return test::fly(site, {.name = "interval-astar"}, {.iterations = 20});
+  };
+  const double cheapest_m = flown_length(fly(60'000).route);
+  const Plan shorter = fly(cheapest_m - 50);
+  ASSERT_EQ(shorter.outcome, Outcome::feasible) << shorter.why;
+  EXPECT_TRUE(check(site, shorter.route).ok());
+
+  const Plan none = fly(25'900);
+  EXPECT_EQ(none.outcome, Outcome::none_found);
+  EXPECT_NE(none.why.find("vehicle.range_m is 25900"), std::string::npos) << none.why;
+
+  const Plan proven = fly(25'000);
+  EXPECT_EQ(proven.outcome, Outcome::infeasible_proven);
+  EXPECT_NE(proven.why.find("no route is shorter than"), std::string::npos) << proven.why;
+}
+
+/// Threats ask for a way round that the range does not allow.
+TEST(IntervalAStar, FliesThroughAThreatWhereTheRangeAsksForIt) {
+  Site site = test::open_air_site();
+  const Vec3 middle = (site.mission.start + site.mission.goal) / 2;
+  const double straight_m = (site.mission.goal - site.mission.start).norm();
+  site.threats = {{.name = "wide", .center = middle, .radius_m = straight_m / 3, .level = 1, .core_m = 0}};
+  const auto fly = [&] { return test::fly(site, {.name = "interval-astar"}, {.iterations = 20}); };
+  const double round_m = flown_length(fly().route);
+  site.vehicle.range_m = std::midpoint(straight_m, round_m);
+  for (const char* planner : {"interval-astar", "primitive-aco"}) {
+    const Plan plan = test::fly(site, {.name = planner}, {.iterations = 20});
+    ASSERT_EQ(plan.outcome, Outcome::feasible) << planner << ": " << plan.why;
+    EXPECT_TRUE(check(site, plan.route).ok()) << planner;
+  }
 }
 
 /// Bins follow the turn radius only as far as memory goes.

@@ -147,9 +147,20 @@ TEST(Session, SaysWhyThereIsNoRoute) {
   std::vector<Threat> threats = session.site().threats;
   threats.push_back({.name = "on the goal", .center = goal, .radius_m = 900, .level = 1, .core_m = 800});
   const Plan plan = replan_with(session, *state_along(old, 500), {.threats = threats}, 3);
-  EXPECT_EQ(plan.outcome, Outcome::none_found);
-  EXPECT_FALSE(plan.why.empty());
+  EXPECT_EQ(plan.outcome, Outcome::infeasible_proven);
+  EXPECT_NE(plan.why.find("of the goal"), std::string::npos) << plan.why;
   EXPECT_EQ(session.route().states.size(), old.states.size());
+}
+
+TEST(Session, SaysThatTheAircraftIsAboveTheNewCeiling) {
+  Session session(test::ridge_site());
+  plan_with(session, 2);
+  Band band = session.site().band;
+  const FlightState now = *state_along(session.route(), 500);
+  band.ceiling_amsl_m = now.position.z() - 20;
+  const Plan plan = replan_with(session, now, {.band = band}, 3);
+  EXPECT_EQ(plan.outcome, Outcome::infeasible_proven);
+  EXPECT_NE(plan.why.find("the start ("), std::string::npos) << plan.why;
 }
 
 TEST(Session, RefusesWhatThePlannerRefuses) {

@@ -31,8 +31,10 @@ struct Problem {
 
   explicit Problem(const World& w) : Problem(w, w.site().mission) {}
   /// Between other ends than the site's; `m` must outlive this.
-  Problem(const World& w, const Mission& m)
-      : world(w), vehicle(w.site().vehicle), mission(m), objective(w.site().scenario.objective) {}
+  Problem(const World& w, const Mission& m) : Problem(w, m, w.site().scenario.objective) {}
+  /// And for other costs; so must `o`.
+  Problem(const World& w, const Mission& m, const ObjectiveSpec& o)
+      : world(w), vehicle(w.site().vehicle), mission(m), objective(o) {}
 };
 
 /// What a colony on a grid knows after an iteration.

@@ -107,15 +107,13 @@ class CorrectionFlight {
   void keep(const std::vector<Node>& sequence, const std::vector<const FlownLeg*>& way) {
     double cost = 0;
     for (const FlownLeg* leg : way) cost += leg->cost;
-    if (!plan_.route.empty() && cost >= plan_.cost) return;
-    plan_.outcome = Outcome::feasible;
-    plan_.cost = cost;
-    plan_.route.states = {way.front()->route.states.front()};
+    Route route{.states = {way.front()->route.states.front()}};
     for (std::size_t i = 0; i < way.size(); ++i) {
       const auto& states = way[i]->route.states;
-      plan_.route.states.insert(plan_.route.states.end(), states.begin() + 1, states.end());
-      if (sequence[i + 1] != graph_.goal()) plan_.route.states.back().point_id = graph_.id(sequence[i + 1]);
+      route.states.insert(route.states.end(), states.begin() + 1, states.end());
+      if (sequence[i + 1] != graph_.goal()) route.states.back().point_id = graph_.id(sequence[i + 1]);
     }
+    keep_if_better(problem_.world.site(), std::move(route), cost, plan_);
   }
 
   const Problem& problem_;

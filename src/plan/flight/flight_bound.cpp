@@ -16,6 +16,10 @@ namespace {
 /// Why no flight exists, if `voids` are as assumed; empty where that is not proven.
 std::string barrier(const Problem& problem, const Bottleneck& bound, Voids voids) {
   const Site& site = problem.world.site();
+  const Vec3& start = problem.mission.start;
+  if (bound.at_start)
+    return fmt::format("the start ({}, {:.0f} m above sea level) is not open between ground, ceiling and cores",
+                       place_name(site, start.head<2>()), start.z());
   if (const auto dead = dead_ahead(problem, voids))
     return fmt::format(
         "the start heads into something closer than a turn: however it turns, nothing is open {:.0f} m "
@@ -32,6 +36,16 @@ std::string barrier(const Problem& problem, const Bottleneck& bound, Voids voids
       place_name(site, bound.nearest), (bound.nearest - goal).norm());
 }
 
+/// Why the range does not suffice; empty where that is not proven.
+std::string beyond_range(const Problem& problem, const BottleneckOptions& options, RunContext& run) {
+  const auto& range_m = problem.vehicle.range_m;
+  if (!range_m) return {};
+  const ObjectiveSpec length_alone{.model = CostModel::physical, .length = 1, .threat = 0, .climb = 0};
+  const double least_m = bottleneck(Problem(problem.world, problem.mission, length_alone), options, run).cost;
+  if (least_m <= *range_m) return {};
+  return fmt::format("no route is shorter than {:.0f} m, and vehicle.range_m is {:.0f}", least_m, *range_m);
+}
+
 /// A proof is worth a finer look than a bound, once nothing was found: thin walls fall between the sides of large
 /// cells.
 constexpr double kProofCells = 400'000;
@@ -41,7 +55,9 @@ constexpr double kFirstCells = 4'000;
 /// Where no flight can exist says so in the plan.
 void note_barrier(const Problem& problem, double most_cells, RunContext& run, Plan& plan) {
   const auto look = [&](Voids voids) {
-    return barrier(problem, bottleneck(problem, {.voids = voids, .most_cells = most_cells}, run), voids);
+    const BottleneckOptions options{.voids = voids, .most_cells = most_cells};
+    const std::string barred = barrier(problem, bottleneck(problem, options, run), voids);
+    return barred.empty() ? beyond_range(problem, options, run) : barred;
   };
   const std::string seen = look(Voids::closed);
   if (seen.empty()) return;

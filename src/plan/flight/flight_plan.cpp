@@ -1,5 +1,8 @@
 #include "plan/flight/flight_plan.hpp"
 
+#include <fmt/core.h>
+
+#include "alate/core/along_route.hpp"
 #include "plan/flight/flight_bound.hpp"
 #include "space/lower_bound.hpp"
 
@@ -13,6 +16,22 @@ Plan begin_flight(const Site& site, const RunContext& run) {
     plan.route.states = {{.position = mission.start, .leg = LegKind::start}};
   }
   return plan;
+}
+
+void keep_if_better(const Site& site, Route route, double cost, Plan& plan) {
+  const double length_m = flown_length(route);
+  const auto& range_m = site.vehicle.range_m;
+  if (range_m && length_m > *range_m) {
+    if (plan.route.empty())
+      plan.why =
+          fmt::format("a route was found, but it is {:.0f} m long, and vehicle.range_m is {:.0f}", length_m, *range_m);
+    return;
+  }
+  if (!plan.route.empty() && cost >= plan.cost) return;
+  plan.outcome = Outcome::feasible;
+  plan.route = std::move(route);
+  plan.cost = cost;
+  plan.why.clear();
 }
 
 void conclude_flight(Plan& plan, const RunContext& run, std::string_view nothing) {

@@ -13,6 +13,10 @@ namespace alate {
 /// tolerance.
 Plan begin_flight(const Site& site, const RunContext& run);
 
+/// Takes a route that costs less than what is there; not one beyond `vehicle.range_m`, which the plan says if it has no
+/// other.
+void keep_if_better(const Site& site, Route route, double cost, Plan& plan);
+
 /// Counters, the way it stopped, and why there is no route if there is none: `nothing`, unless it was stopped or is
 /// told already.
 void conclude_flight(Plan& plan, const RunContext& run, std::string_view nothing);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "plan/flight/flight_ends.hpp"
+#include "plan/flight/flight_plan.hpp"
 #include "search/interval/flight_profile.hpp"
 
 namespace alate {
@@ -101,6 +103,7 @@ bool IntervalRun::is_worth_flying(const Plan& plan) const {
 
 void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound) {
   bool bounded = note_bound == nullptr;
+  bool first = true;
   while (run_.start_iteration(kIterations)) {
     if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
       search_on(astar, plan);
@@ -109,9 +112,10 @@ void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<
     } else {
       pool_.better(random_, run_);
     }
+    if (!looked_for_shortest_ && !pool_.empty() && !pool_.best().keeps_range()) search_shortest(plan);
     if (is_worth_flying(plan)) fly_best(plan);
     if (!plan.route.empty()) run_.report(plan.cost);
-    if (bounded || (plan.route.empty() && run_.iterations() > 1)) continue;
+    if (bounded || (plan.route.empty() && !std::exchange(first, false))) continue;
     note_bound(plan);
     bounded = !plan.route.empty();
     if (plan.outcome == Outcome::infeasible_proven) return;
@@ -129,11 +133,21 @@ void IntervalRun::fly_best(Plan& plan) {
     route = std::move(whole);
   }
   const double cost = air_.objective.route_cost(*route);
-  if (plan.route.empty() || cost < plan.cost) {
-    plan.outcome = Outcome::feasible;
-    plan.route = std::move(*route);
-    plan.cost = cost;
-  }
+  keep_if_better(air_.world.site(), std::move(*route), cost, plan);
+}
+
+/// By length alone: where threats ask for a longer way than the range allows.
+void IntervalRun::search_shortest(Plan& plan) {
+  looked_for_shortest_ = true;
+  Site site = air_.world.site();
+  site.scenario.objective.threat = 0;
+  site.scenario.objective.climb = 0;
+  const FlightAir air(World(std::move(site)));
+  const ClimbField to_go(air.world, air.band.slopes(), run_);
+  IntervalAStar astar(air.cost, to_go);
+  const auto track = astar.find(flight_start(mission_), end(), options_of(kHasty), run_);
+  plan.counters["expansions"] += astar.expansions();
+  if (track) pool_.add_bettered(path_of(*track), random_, run_);
 }
 
 }  // namespace alate

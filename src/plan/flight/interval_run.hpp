@@ -51,6 +51,7 @@ class IntervalRun {
   IntervalSearchOptions options_of(const IntervalPass& pass) const;
   FlightPath path_of(const Track& track) const;
   void search_on(IntervalAStar& astar, Plan& plan);
+  void search_shortest(Plan& plan);
   bool is_worth_flying(const Plan& plan) const;
 
   const FlightAir& air_;
@@ -61,6 +62,7 @@ class IntervalRun {
   FlightPool pool_;
   double flown_ = kInfinity;  ///< What the way cost, as far as it was known, for which altitudes were chosen last.
   bool searching_ = false;    ///< A search has begun and not ended.
+  bool looked_for_shortest_ = false;
   std::size_t pass_ = 0;
 };
 

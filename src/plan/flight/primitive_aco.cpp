@@ -65,10 +65,7 @@ class FlightWork {
     auto route = fly_track(air_.cost, track, problem_.mission.start, end);
     if (!route) return false;
     const double cost = air_.objective.route_cost(*route);
-    if (!plan_.route.empty() && cost >= plan_.cost) return true;
-    plan_.outcome = Outcome::feasible;
-    plan_.route = std::move(*route);
-    plan_.cost = cost;
+    keep_if_better(air_.world.site(), std::move(*route), cost, plan_);
     return true;
   }
 

@@ -81,8 +81,7 @@ struct Session::Kept {
     astar->turn_to(air->cost, *field);
   }
 
-  void finish(Plan& plan, RunContext& run) {
-    conclude_flight(plan, run, kNoFlight);
+  void keep(const Plan& plan) {
     if (field_is_cut) field.reset();
     if (!plan.route.empty()) route = plan.route;
   }
@@ -132,12 +131,11 @@ const Route& Session::route() const { return kept_->route; }
 void Session::follow(Route route) { kept_->route = std::move(route); }
 
 Plan Session::plan(RunContext& run) {
-  Plan plan = begin_flight(site(), run);
-  if (plan.route.empty()) {
+  Plan plan = plan_flight(Problem(kept_->air->world), run, kNoFlight, [&](Plan& so_far) {
     kept_->complete_field(run);
-    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, plan, kept_->bound_by(run));
-  }
-  kept_->finish(plan, run);
+    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, so_far, kept_->bound_by(run));
+  });
+  kept_->keep(plan);
   return plan;
 }
 
@@ -154,12 +152,15 @@ Plan Session::replan(const FlightState& state, const FlightChange& change, RunCo
                       .added = news,
                       .rest = rest_for(kept.route, state)},
                      run, plan);
-    if (run.iterations() < run.iteration_limit() || run.iteration_limit() == 0) {
+    if (plan.route.empty()) note_barrier(Problem(kept.air->world), run, plan);
+    const bool is_over = plan.outcome == Outcome::infeasible_proven;
+    if (!is_over && (run.iterations() < run.iteration_limit() || run.iteration_limit() == 0)) {
       kept.complete_field(run);
       run_from(*kept.air, plan, run).improve(*kept.astar, plan, kept.bound_by(run));
     }
   }
-  kept.finish(plan, run);
+  conclude_flight(plan, run, kNoFlight);
+  kept.keep(plan);
   return plan;
 }
 

@@ -133,7 +133,7 @@ bool FlightPath::take_if(const Change& change, std::vector<Leg> legs, double mos
     if (sum + least_climb_ >= most) return false;
   }
   const auto meeting = meet(label, backward_[change.to]);
-  if (!meeting || sum + cost_->climb_weight() * meeting->ascent >= most) return false;
+  if (!meeting || sum + cost_->climb_weight() * meeting->ascent + over_range_with(change, legs) >= most) return false;
 
   const auto replace = [&](auto& list, std::size_t from, std::size_t to, const auto& by) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(from), list.begin() + static_cast<std::ptrdiff_t>(to));
@@ -154,6 +154,17 @@ void FlightPath::note_total() {
   const auto meeting = meet(forward_.back(), backward_.back());
   total_ = meeting ? cost_->climb_weight() * meeting->ascent : kInfinity;
   for (const Leg& leg : legs_) total_ += leg.cost;
+  total_ += over_range_with({}, {});
+}
+
+/// Of the whole way after a change.
+double FlightPath::over_range_with(const Change& change, const std::vector<Leg>& legs) const {
+  if (!cost_->has_range()) return 0;
+  double length = 0;
+  for (std::size_t i = 0; i < legs_.size(); ++i)
+    if (i < change.from || i >= change.to) length += length_of(legs_[i].track);
+  for (const Leg& leg : legs) length += length_of(leg.track);
+  return cost_->over_range(length);
 }
 
 void FlightPath::shorten(RunContext& run) {

@@ -16,8 +16,9 @@ class FlightPath {
   /// A track from `find`. `cost` must outlive this.
   FlightPath(const FlightCost& cost, FlightEnd end, const Track& track, double z);
 
-  /// Cost as far as it is known before the altitudes are chosen.
+  /// Cost as far as it is known before the altitudes are chosen; far more where it may be longer than the range.
   double cost() const { return total_; }
+  bool keeps_range() const { return over_range_with({}, {}) <= 0; }
   Track track() const;
   const FlightEnd& end() const { return end_; }
 
@@ -41,6 +42,7 @@ class FlightPath {
   void note_forward(std::size_t from);
   void note_backward(std::size_t from);
   void split(Stream& random);
+  double over_range_with(const Change& change, const std::vector<Leg>& legs) const;
   bool take_if(const Change& change, std::vector<Leg> legs, double most);
   void note_end();
   void note_total();

@@ -57,7 +57,8 @@ class MinimaxSearch {
     const Vec3& start = problem_.mission.start;
     const int cell = plane_.cell_at(start.head<2>());
     nearest_m_ = kInfinity;
-    if (open(cell).overlap({.low = start.z(), .high = start.z()})) queue_.push({0, cell});
+    result_.at_start = !open(cell).overlap({.low = start.z(), .high = start.z()});
+    if (!result_.at_start) queue_.push({0, cell});
     note_nearest(cell);
   }
 

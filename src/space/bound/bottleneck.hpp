@@ -19,6 +19,7 @@ namespace alate {
 struct Bottleneck {
   double cost = 0;              ///< Valid even if the search was stopped.
   bool barred = false;          ///< No flight exists, if `Voids` were as assumed.
+  bool at_start = false;        ///< Barred since the start is not open.
   bool at_goal = false;         ///< Barred since nothing is open within the goal's tolerance.
   Vec2 nearest = Vec2::Zero();  ///< Middle of the cell nearest to the goal that can be reached.
 };

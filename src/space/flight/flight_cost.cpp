@@ -5,7 +5,19 @@
 
 namespace alate {
 
-FlightCost::FlightCost(const BandWalk& band) : band_(band), weights_(band.world().site().scenario.objective) {}
+FlightCost::FlightCost(const BandWalk& band)
+    : band_(band),
+      weights_(band.world().site().scenario.objective),
+      range_m_(band.world().site().vehicle.range_m.value_or(std::numeric_limits<double>::infinity())) {
+  constexpr double kSteepest = 0.2;  // few routes climb so much all the way
+  in_space_ = std::hypot(1, std::min(kSteepest, std::max(band.slopes().climb, band.slopes().descent)));
+}
+
+double FlightCost::over_range(double length_m) const {
+  constexpr double kDear = 100;
+  if (!has_range()) return 0;
+  return kDear * (weights_.length + weights_.threat) * std::max(0.0, in_space_ * length_m - range_m_);
+}
 
 double FlightCost::advance(const PlanarPiece& piece, AltitudeLabel& label) const {
   const double z = label.free;

@@ -1,6 +1,7 @@
 // What a flight over a track costs under the physical objective, as far as it is known before its altitudes are.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "space/flight/band_walk.hpp"
@@ -23,12 +24,19 @@ class FlightCost {
   /// Advances the label; its cost without ascent, infinite if no altitude is left.
   double advance(const PlanarPiece& piece, AltitudeLabel& label) const;
   double advance(const Track& track, AltitudeLabel& label) const;
+  bool has_range() const { return std::isfinite(range_m_); }
+  /// What a whole way costs more, so many metres long seen from above, for what may lie beyond the aircraft's range:
+  /// far more than flying so long could save.
+  double over_range(double length_m) const;
+
   /// Metres of exposure, at altitudes that change evenly along the piece; not weighed.
   double exposure(const PlanarPiece& piece, double z_from, double z_to) const;
 
  private:
   const BandWalk& band_;
   ObjectiveSpec weights_;
+  double range_m_;
+  double in_space_ = 1;  ///< Metres in space for one seen from above, at most.
 };
 
 }  // namespace alate
