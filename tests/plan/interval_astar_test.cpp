@@ -102,6 +102,23 @@ TEST(IntervalFlight, KeepsWhatTheCheckAsksOverHills) {
   EXPECT_GT(expect_lives_as_checked(site, 4), 20);
 }
 
+/// Wherever the last straight piece begins, by centimetres within the ball or without.
+TEST(FlightEnd, IsCutWithinTheBallAndToNoCrumb) {
+  const FlightEnd end{.goal = {0, 0, 100}, .tolerance_m = 20, .tilt_rad = 0.3};
+  Stream random(1, 0, 0);
+  for (int n = 0; n < 1000; ++n) {
+    const double away = end.radius_m() + 0.6 * (random.uniform() - 0.5);
+    const PlanarPiece arc{Steering::left, planar_pose(-300, 10, 0), 30, 70};
+    Track track{arc, {Steering::straight, planar_pose(-away, 0, 0), away, 70}};
+    cut_at_end(track, end);
+    const bool dropped = track.size() == 1;
+    EXPECT_EQ(dropped, away <= end.radius_m());
+    if (dropped) continue;
+    EXPECT_LE(-track.back().end().position().x(), end.radius_m() + 1e-9);
+    EXPECT_GE(track.back().length_m, kLeastPiece_m);
+  }
+}
+
 /// The sum that changes are judged by is that of the whole way worked out anew.
 TEST(FlightPath, KnowsItsCostAfterManyChanges) {
   const World world(jacksboro_site());
@@ -125,6 +142,7 @@ TEST(FlightPath, KnowsItsCostAfterManyChanges) {
     before = path.cost();
     const FlightPath anew(cost, path.end(), path.track(), mission.start.z());
     EXPECT_NEAR(path.cost(), anew.cost(), 1e-6 * path.cost());
+    for (const PlanarPiece& piece : path.track()) EXPECT_GE(piece.length_m, kLeastPiece_m);
     const auto route = fly_track(cost, path.track(), mission.start, path.end());
     ASSERT_TRUE(route);
     EXPECT_TRUE(check(world.site(), *route).ok());

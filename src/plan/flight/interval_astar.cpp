@@ -18,9 +18,9 @@ struct IntervalPlanner {
  private:
   void search(const Problem& problem, RunContext& run, Plan& plan) const {
     const FlightAir air(problem.world);
-    const ClimbField to_go(air.world, air.band.slopes(), run);
+    ClimbField to_go(air.world, air.band.slopes(), run, problem.mission.start);
     IntervalAStar astar(air.cost, to_go);
-    IntervalRun(air, problem.mission, run).improve(astar, plan, [&](Plan& so_far) {
+    IntervalRun(air, problem.mission, run).improve(to_go, astar, plan, [&](Plan& so_far) {
       note_bound(problem, effort, run, so_far);
     });
   }

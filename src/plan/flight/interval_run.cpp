@@ -13,16 +13,18 @@ namespace alate {
 
 namespace {
 
-/// One search each, the hasty one first; few of the last ones end before the time does. Wide bins come early: they find
-/// other ways round for a fifth of the expansions.
-constexpr std::array kPasses{IntervalRun::kHasty,   IntervalPass{1.5, 2},    IntervalPass{1.3, 2},
+/// One search each; few of the last ones end before the time does. The hasty ones stop at the first way, and narrower
+/// bins are for where wider ones miss all ways. Then wide bins come first: they find other ways round soonest.
+constexpr std::array kPasses{IntervalRun::kHasty,   IntervalPass{4, 1},      IntervalPass{4, 0.5},
+                             IntervalPass{1.5, 4},  IntervalPass{1.3, 3},    IntervalPass{1.3, 2},
                              IntervalPass{1.05, 3}, IntervalPass{1.05, 2},   IntervalPass{1.15, 1},
                              IntervalPass{1.05, 1}, IntervalPass{1.15, 0.5}, IntervalPass{1.05, 0.5}};
+constexpr std::size_t kHastyPasses = 3;
 
 /// Expansions of an iteration: they take about as long as the changes of another one.
-constexpr std::uint64_t kSlice = 1000;
-/// The second search seldom needs more, and seldom fails to find a much better way than the hasty one.
-constexpr std::uint64_t kSecond = 20'000;
+constexpr std::uint64_t kSlice = 700;
+/// The search after the first way seldom needs more, and mostly finds a much better one.
+constexpr std::uint64_t kSecond = 6'000;
 
 /// Bins; of ways that are nearer to each other only one is bettered.
 constexpr double kApart = 3;
@@ -57,7 +59,7 @@ bool IntervalRun::add(const Track& track) {
   FlightPath path(air_.cost, end, track, mission_.start.z());
   if (!std::isfinite(path.cost())) return false;
   pool_.add(std::move(path));
-  pass_ = std::max<std::size_t>(pass_, 1);  // Haste is for those who have nothing.
+  pass_ = std::max(pass_, kHastyPasses);  // Haste is for those who have nothing.
   return true;
 }
 
@@ -78,17 +80,23 @@ bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& p
 
 FlightPath IntervalRun::path_of(const Track& track) const { return {air_.cost, end(), track, mission_.start.z()}; }
 
-void IntervalRun::search_on(IntervalAStar& astar, Plan& plan) {
+/// Where more is to go than the best way costs, no better one leads.
+void IntervalRun::search_on(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
+  if (!searching_ && !pool_.empty()) to_go.grow_to(run_, pool_.best().cost());
   if (!searching_) astar.begin(flight_start(mission_), end(), options_of(kPasses[pass_]));
   const std::uint64_t before = astar.expansions();
-  std::uint64_t most = pass_ == 1 ? kSecond : kSlice;
+  std::uint64_t most = pass_ == kHastyPasses ? kSecond : kSlice;
   if (pool_.empty()) most = std::numeric_limits<std::uint64_t>::max();
   const auto track = astar.go_on(most, run_);
   plan.counters["expansions"] += astar.expansions() - before;
   searching_ = !track && !astar.exhausted();
   if (searching_) return;
-  ++pass_;
+  if (pool_.empty() && !track && !to_go.is_grown()) {
+    to_go.grow(run_);
+    return;
+  }
   if (track) pool_.add_bettered(path_of(*track), random_, run_);
+  pass_ = std::max(pass_ + 1, pool_.empty() ? 0 : kHastyPasses);
 }
 
 /// Choosing altitudes takes as long as changing a way. What is flown does not hang on when the run will end, so that
@@ -101,12 +109,13 @@ bool IntervalRun::is_worth_flying(const Plan& plan) const {
   return plan.route.empty() || much || run_.iterations() % kFlyEvery == 0;
 }
 
-void IntervalRun::improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound) {
+void IntervalRun::improve(ClimbField& to_go, IntervalAStar& astar, Plan& plan,
+                          const std::function<void(Plan&)>& note_bound) {
   bool bounded = note_bound == nullptr;
   bool first = true;
   while (run_.start_iteration(kIterations)) {
     if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
-      search_on(astar, plan);
+      search_on(to_go, astar, plan);
     } else if (pool_.empty()) {
       return;
     } else {

@@ -23,7 +23,7 @@ struct IntervalPass {
 class IntervalRun {
  public:
   static constexpr std::uint64_t kIterations = 100;  ///< Where neither a budget nor a time limit is given.
-  static constexpr IntervalPass kHasty{2.5, 1};
+  static constexpr IntervalPass kHasty{8, 2};
 
   /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
   IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before = {});
@@ -41,16 +41,17 @@ class IntervalRun {
   void fly_best(Plan& plan);
 
   /// Searches until there is a way; then searches on and changes what was found, by turns, until the budget is used or
-  /// no route is proven. `note_bound`, if given, is called when the first iteration is over, and again once there is a
-  /// route.
-  void improve(IntervalAStar& astar, Plan& plan, const std::function<void(Plan&)>& note_bound = nullptr);
+  /// no route is proven. `to_go`, which guides `astar`, grows as it is asked for. `note_bound`, if given, is called
+  /// when the first iteration is over, and again once there is a route.
+  void improve(ClimbField& to_go, IntervalAStar& astar, Plan& plan,
+               const std::function<void(Plan&)>& note_bound = nullptr);
 
  private:
-  static constexpr int kTrials = 250;  ///< Of changes, an iteration.
+  static constexpr int kTrials = 1000;  ///< Of changes, an iteration.
 
   IntervalSearchOptions options_of(const IntervalPass& pass) const;
   FlightPath path_of(const Track& track) const;
-  void search_on(IntervalAStar& astar, Plan& plan);
+  void search_on(ClimbField& to_go, IntervalAStar& astar, Plan& plan);
   void search_shortest(Plan& plan);
   bool is_worth_flying(const Plan& plan) const;
 

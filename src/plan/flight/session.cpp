@@ -133,7 +133,7 @@ void Session::follow(Route route) { kept_->route = std::move(route); }
 Plan Session::plan(RunContext& run) {
   Plan plan = plan_flight(Problem(kept_->air->world), run, kNoFlight, [&](Plan& so_far) {
     kept_->complete_field(run);
-    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->astar, so_far, kept_->bound_by(run));
+    IntervalRun(*kept_->air, site().mission, run).improve(*kept_->field, *kept_->astar, so_far, kept_->bound_by(run));
   });
   kept_->keep(plan);
   return plan;
@@ -156,7 +156,7 @@ Plan Session::replan(const FlightState& state, const FlightChange& change, RunCo
     const bool is_over = plan.outcome == Outcome::infeasible_proven;
     if (!is_over && (run.iterations() < run.iteration_limit() || run.iteration_limit() == 0)) {
       kept.complete_field(run);
-      run_from(*kept.air, plan, run).improve(*kept.astar, plan, kept.bound_by(run));
+      run_from(*kept.air, plan, run).improve(*kept.field, *kept.astar, plan, kept.bound_by(run));
     }
   }
   conclude_flight(plan, run, kNoFlight);

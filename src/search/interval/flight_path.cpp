@@ -1,5 +1,6 @@
 #include "search/interval/flight_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "space/dubins/dubins_point.hpp"
@@ -8,8 +9,8 @@ namespace alate {
 
 namespace {
 
-constexpr double kGain = 1e-4;            ///< Metres; less is not worth a change.
-constexpr double kLeastStraight_m = 0.1;  ///< Shorter pieces have no direction, to the rounding of places.
+constexpr double kGain = 1e-4;      ///< Metres; less is not worth a change.
+constexpr double kRounding = 1e-6;  ///< Metres, of a way that is cut otherwise but stays the same.
 
 bool same(const AltitudeLabel& a, const AltitudeLabel& b) {
   return a.low == b.low && a.high == b.high && a.ascent == b.ascent && a.free == b.free;
@@ -35,26 +36,26 @@ FlightPath::FlightPath(const FlightCost& cost, FlightEnd end, const Track& track
   forward_.resize(legs_.size() + 1);
   backward_.resize(legs_.size() + 1);
   forward_[0] = AltitudeLabel::at(z);
-  note_forward(0);
   note_end();
 }
 
+/// The end is another one.
 void FlightPath::note_end() {
   least_climb_ = cost_->climb_weight() * std::max(0.0, end_.low() - forward_[0].low);
   backward_.back() = {.low = end_.low(), .high = end_.high(), .ascent = 0, .free = end_.low()};
-  note_backward(legs_.size());
-  note_total();
+  legs_.back().is_forward_old = legs_.back().is_backward_old = true;
+  note_all();
 }
 
 /// Spends more or less of the goal's ball on altitude.
 bool FlightPath::retilt(Stream& random) {
   if (end_.tolerance_m <= 0) return false;
+  note_all();
   FlightPath before(*this);
   end_.tilt_rad = kPi / 2 * random.uniform();
   Leg last;
   if (make_leg(poses_.back(), nullptr, last)) {
     legs_.back() = std::move(last);
-    note_forward(legs_.size() - 1);
     note_end();
     if (total_ < before.total_ - kGain) return true;
   }
@@ -68,26 +69,45 @@ Track FlightPath::track() const {
   return all;
 }
 
-/// Anew from pose `from` on, until nothing changes.
-void FlightPath::note_forward(std::size_t from) {
-  for (std::size_t i = from; i < legs_.size(); ++i) {
+/// The altitudes that the start allows, up to pose `to`.
+void FlightPath::note_forward(std::size_t to) {
+  for (std::size_t i = 0; i < to; ++i) {
+    Leg& leg = legs_[i];
+    if (!leg.is_forward_old) continue;
     AltitudeLabel label = forward_[i];
-    const double cost = cost_->advance(legs_[i].track, label);
-    const bool unchanged = same(label, forward_[i + 1]) && cost == legs_[i].cost;
-    forward_[i + 1] = label;
-    legs_[i].cost = cost;
-    if (unchanged) return;
+    leg.cost = cost_->advance(leg.track, label);
+    leg.is_forward_old = false;
+    set_forward(i + 1, label);
   }
 }
 
+/// Those that the goal asks for, back to pose `from`.
 void FlightPath::note_backward(std::size_t from) {
-  for (std::size_t i = from; i-- > 0;) {
+  for (std::size_t i = legs_.size(); i-- > from;) {
+    Leg& leg = legs_[i];
+    if (!leg.is_backward_old) continue;
     BackwardLabel label = backward_[i + 1];
-    for (std::size_t k = legs_[i].track.size(); k-- > 0 && label.alive();)
-      cost_->band().advance(legs_[i].track[k], label);
-    if (same(label, backward_[i])) return;
+    for (std::size_t k = leg.track.size(); k-- > 0 && label.alive();) cost_->band().advance(leg.track[k], label);
+    leg.is_backward_old = false;
+    if (same(label, backward_[i])) continue;
     backward_[i] = label;
+    if (i > 0) legs_[i - 1].is_backward_old = true;
   }
+}
+
+void FlightPath::set_forward(std::size_t at, const AltitudeLabel& label) {
+  if (same(label, forward_[at])) return;
+  forward_[at] = label;
+  if (at < legs_.size()) legs_[at].is_forward_old = true;
+}
+
+void FlightPath::note_all() {
+  note_forward(legs_.size());
+  note_backward(0);
+  const auto meeting = meet(forward_.back(), backward_.back());
+  total_ = meeting ? cost_->climb_weight() * meeting->ascent : kInfinity;
+  for (const Leg& leg : legs_) total_ += leg.cost;
+  total_ += over_range_with({}, {});
 }
 
 bool FlightPath::make_leg(const PlanarPose& from, const PlanarPose* to, Leg& leg) const {
@@ -99,12 +119,13 @@ bool FlightPath::make_leg(const PlanarPose& from, const PlanarPose* to, Leg& leg
   } else {
     append(leg.track, shortest_dubins(from, *to, radius));
   }
-  for (const PlanarPiece& piece : leg.track)
-    if (piece.steering == Steering::straight && piece.length_m < kLeastStraight_m) return false;
-  return !leg.track.empty();
+  return !leg.track.empty() &&
+         std::ranges::all_of(leg.track, [](const PlanarPiece& piece) { return piece.length_m >= kLeastPiece_m; });
 }
 
 bool FlightPath::try_change(const Change& change) {
+  // With fewer poses the same cost is better: there is room again for new ones where they help.
+  const double most = change.between.empty() ? total_ + kRounding : total_ - kGain;
   double rest = least_climb_;
   for (std::size_t i = 0; i < legs_.size(); ++i)
     if (i < change.from || i >= change.to) rest += legs_[i].cost;
@@ -116,45 +137,45 @@ bool FlightPath::try_change(const Change& change) {
     const PlanarPose* to = !last ? &change.between[k] : at_end ? nullptr : &poses_[change.to];
     if (!make_leg(from, to, legs[k])) return false;
     rest += cost_->length_weight() * length_of(legs[k].track);
-    if (rest >= total_) return false;
+    if (rest >= most) return false;
   }
-  return take_if(change, std::move(legs), total_ - kGain);
+  return take_if(change, std::move(legs), most);
 }
 
-/// Takes new legs if the whole way then costs less than `most`.
+/// Takes new legs if the whole way then costs less than `most`. The cost of legs behind them stays as it was until
+/// labels are carried there.
 bool FlightPath::take_if(const Change& change, std::vector<Leg> legs, double most) {
+  note_forward(change.from);
+  note_backward(change.to);
   AltitudeLabel label = forward_[change.from];
+  std::vector<AltitudeLabel> labels;
   double sum = 0;
   for (std::size_t i = 0; i < legs_.size(); ++i)
     if (i < change.from || i >= change.to) sum += legs_[i].cost;
   for (Leg& leg : legs) {
     leg.cost = cost_->advance(leg.track, label);
+    leg.is_forward_old = false;
+    labels.push_back(label);
     sum += leg.cost;
     if (sum + least_climb_ >= most) return false;
   }
   const auto meeting = meet(label, backward_[change.to]);
-  if (!meeting || sum + cost_->climb_weight() * meeting->ascent + over_range_with(change, legs) >= most) return false;
+  if (!meeting) return false;
+  sum += cost_->climb_weight() * meeting->ascent + over_range_with(change, legs);
+  if (sum >= most) return false;
 
   const auto replace = [&](auto& list, std::size_t from, std::size_t to, const auto& by) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(from), list.begin() + static_cast<std::ptrdiff_t>(to));
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(from), by.begin(), by.end());
   };
-  const std::size_t inner = change.between.size();
+  labels.pop_back();
   replace(poses_, change.from + 1, std::min(change.to, poses_.size()), change.between);
   replace(legs_, change.from, change.to, legs);
-  replace(forward_, change.from + 1, change.to, std::vector<AltitudeLabel>(inner));
-  replace(backward_, change.from + 1, change.to, std::vector<BackwardLabel>(inner));
-  note_forward(change.from);
-  note_backward(change.from + legs.size());
-  note_total();
+  replace(forward_, change.from + 1, change.to, labels);
+  replace(backward_, change.from + 1, change.to, std::vector<BackwardLabel>(labels.size()));
+  set_forward(change.from + legs.size(), label);
+  total_ = sum;
   return true;
-}
-
-void FlightPath::note_total() {
-  const auto meeting = meet(forward_.back(), backward_.back());
-  total_ = meeting ? cost_->climb_weight() * meeting->ascent : kInfinity;
-  for (const Leg& leg : legs_) total_ += leg.cost;
-  total_ += over_range_with({}, {});
 }
 
 /// Of the whole way after a change.
@@ -171,6 +192,7 @@ void FlightPath::shorten(RunContext& run) {
   for (std::size_t i = 0; i + 1 < legs_.size(); ++i)
     for (std::size_t span = legs_.size() - i; span > 1 && run.keep_going(); span = span * 2 / 3)
       if (try_change({.from = i, .to = i + span, .between = {}})) break;
+  note_all();
 }
 
 /// A pose where two pieces of a leg meet, or within a straight one: it changes nothing, but gives the next changes a
@@ -182,8 +204,8 @@ void FlightPath::split(Stream& random) {
   std::vector<Track> halves(2);
   halves[0].assign(track.begin(), track.begin() + static_cast<std::ptrdiff_t>(k));
   halves[1].assign(track.begin() + static_cast<std::ptrdiff_t>(k), track.end());
-  if (track[k].steering == Steering::straight && track[k].length_m > 2 * kLeastStraight_m) {
-    const double at = kLeastStraight_m + random.uniform() * (track[k].length_m - 2 * kLeastStraight_m);
+  if (track[k].steering == Steering::straight && track[k].length_m > 2 * kLeastPiece_m) {
+    const double at = kLeastPiece_m + random.uniform() * (track[k].length_m - 2 * kLeastPiece_m);
     halves[0].push_back(track[k]);
     halves[0].back().length_m = at;
     halves[1].front().start = track[k].at(at);
@@ -193,7 +215,6 @@ void FlightPath::split(Stream& random) {
   std::vector<Leg> legs(2);
   for (std::size_t half = 0; half < 2; ++half) legs[half].track = std::move(halves[half]);
   const Change change{.from = i, .to = i + 1, .between = {legs[1].track.front().start}};
-  constexpr double kRounding = 1e-6;
   take_if(change, std::move(legs), total_ + kRounding);
 }
 
@@ -254,6 +275,7 @@ int FlightPath::better(Stream& random, int trials, RunContext& run) {
       kept += move_some(random) ? 1 : 0;
     }
   }
+  note_all();
   return kept;
 }
 

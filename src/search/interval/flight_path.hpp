@@ -24,13 +24,15 @@ class FlightPath {
 
   /// Shortcuts from every pose as far as the way gets cheaper.
   void shorten(RunContext& run);
-  /// Random changes, each kept where it makes the way cheaper. How many were.
+  /// Random changes, each kept where it makes the way cheaper, or simpler at the same cost. How many were.
   int better(Stream& random, int trials, RunContext& run);
 
  private:
   struct Leg {
     Track track;
-    double cost = 0;  ///< Without ascent.
+    double cost = 0;              ///< Without ascent.
+    bool is_forward_old = true;   ///< Another label has come to its begin,
+    bool is_backward_old = true;  ///< or to its end, since it was carried along the leg.
   };
   struct Change {
     std::size_t from = 0, to = 0;  ///< Poses before and after what is changed.
@@ -39,13 +41,14 @@ class FlightPath {
 
   bool try_change(const Change& change);
   bool make_leg(const PlanarPose& from, const PlanarPose* to, Leg& leg) const;
-  void note_forward(std::size_t from);
+  void note_forward(std::size_t to);
   void note_backward(std::size_t from);
+  void set_forward(std::size_t at, const AltitudeLabel& label);
+  void note_all();
   void split(Stream& random);
   double over_range_with(const Change& change, const std::vector<Leg>& legs) const;
   bool take_if(const Change& change, std::vector<Leg> legs, double most);
   void note_end();
-  void note_total();
   bool retilt(Stream& random);
   bool move_some(Stream& random);
   std::vector<PlanarPose> moved_poses(std::size_t k, std::size_t count, double size, Stream& random) const;
@@ -54,7 +57,7 @@ class FlightPath {
   FlightEnd end_;
   std::vector<PlanarPose> poses_;       ///< The start, then one before each further leg.
   std::vector<Leg> legs_;               ///< Leg i begins at pose i; the last ends where the flight does.
-  std::vector<AltitudeLabel> forward_;  ///< At pose i, and at the end.
+  std::vector<AltitudeLabel> forward_;  ///< At pose i, and at the end; old behind legs whose own are.
   std::vector<BackwardLabel> backward_;
   static constexpr double kLeastChance = 0.02;
   std::array<double, 8> size_chances_{0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3};  ///< Of moves, by what they brought.

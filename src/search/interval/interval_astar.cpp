@@ -30,9 +30,11 @@ void cut_at_end(Track& track, const FlightEnd& end) {
   if (last.steering != Steering::straight) return;
   const double to_end = (end.place() - last.start.position()).norm();
   const double cut = std::min(last.length_m, end.radius_m() - std::max(0.0, to_end - last.length_m));
-  last.length_m -= cut;
-  constexpr double kLeastStraight_m = 0.1;
-  if (last.length_m < kLeastStraight_m && track.size() > 1) track.pop_back();
+  const double left = last.length_m - cut;
+  if (left <= 0 && track.size() > 1)
+    track.pop_back();
+  else
+    last.length_m = std::max(left, std::min(last.length_m, kLeastPiece_m));
 }
 
 IntervalAStar::IntervalAStar(const FlightCost& cost, const ClimbField& to_go)

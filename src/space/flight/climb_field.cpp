@@ -14,7 +14,6 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr double kSeedCells = 1.5;
 /// Improvements below this part of a cell's cost are not passed on.
 constexpr float kWorthwhile = 0.03F;
-constexpr std::size_t kPollEvery = 1024;
 /// Columns and rows of the sixteen neighbours.
 constexpr std::array<std::array<int, 2>, 16> kNeighbours{{{1, 0},
                                                           {1, 1},
@@ -76,15 +75,6 @@ void ClimbField::set_metre_cost(std::size_t cell) {
   for (int layer = 0; layer < kLayers; ++layer)
     metre_cost_[cell * kLayers + static_cast<std::size_t>(layer)] =
         static_cast<float>(weights.length + weights.threat * band_.threat(cell, layer));
-}
-
-void ClimbField::grow(RunContext& run, const std::optional<Vec3>& until) {
-  for (std::size_t pops = 1; !queue_.empty(); ++pops) {
-    if (pops % kPollEvery == 0 && (!run.keep_going() || is_known(until, queue_.top().value))) break;
-    const Queued top = queue_.top();
-    queue_.pop();
-    if (top.value == waiting_[top.cell]) settle(top.cell);
-  }
 }
 
 void ClimbField::seed() {

@@ -31,6 +31,10 @@ class ClimbField {
   /// Goes on as far as `until`, or everywhere. What is nearer to the goal than that is then known, and what is little
   /// farther; beyond it the field is infinite.
   void grow(RunContext& run, const std::optional<Vec3>& until = {});
+  /// The same, as far as what costs no more than `cost` to the goal.
+  void grow_to(RunContext& run, double cost);
+  /// Is it known everywhere?
+  bool is_grown() const { return queue_.empty(); }
 
   /// Takes over to `world`, which has `added` threats more than the world before and differs in nothing else that
   /// guides. What is nearer to the goal than any of them stays; the rest is forgotten and grows anew when asked for.
@@ -65,7 +69,8 @@ class ClimbField {
   };
 
   void set_metre_cost(std::size_t cell);
-  bool is_known(const std::optional<Vec3>& until, float reached) const;
+  template <class Enough>
+  void grow_until(RunContext& run, const Enough& enough);
   void forget_from(float least);
   bool borders_forgotten(std::size_t cell) const;
   void seed();

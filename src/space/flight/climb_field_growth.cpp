@@ -5,14 +5,27 @@
 
 namespace alate {
 
-bool ClimbField::is_known(const std::optional<Vec3>& until, float reached) const {
+/// `enough` is asked now and then whether all values below the one given are enough.
+template <class Enough>
+void ClimbField::grow_until(RunContext& run, const Enough& enough) {
+  constexpr std::size_t kPollEvery = 1024;
+  for (std::size_t pops = 1; !queue_.empty(); ++pops) {
+    if (pops % kPollEvery == 0 && (!run.keep_going() || enough(double{queue_.top().value}))) break;
+    const Queued top = queue_.top();
+    queue_.pop();
+    if (top.value == waiting_[top.cell]) settle(top.cell);
+  }
+}
+
+void ClimbField::grow(RunContext& run, const std::optional<Vec3>& until) {
   // A search looks a little behind it, too.
-  constexpr double kBeyond = 1.0;
   constexpr double kCellsBeyond = 2;
-  if (!until) return false;
-  const double there = (*this)(*until);
   const double margin = kCellsBeyond * band_.cell_m() * site_->scenario.objective.length;
-  return double{reached} > kBeyond * there + margin;
+  grow_until(run, [&](double reached) { return until && reached > (*this)(*until) + margin; });
+}
+
+void ClimbField::grow_to(RunContext& run, double cost) {
+  grow_until(run, [&](double reached) { return reached > cost; });
 }
 
 void ClimbField::add_threats(const World& world, std::span<const Threat> added) {

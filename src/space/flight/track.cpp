@@ -16,7 +16,7 @@ PlanarPiece reversed(const PlanarPiece& piece) {
 }
 
 void append(Track& track, const DubinsPath& path) {
-  constexpr double kNoLength_m = 1e-9;
+  constexpr double kNoLength_m = 1e-6;
   for (const PlanarPiece& piece : pieces_of(path))
     if (piece.length_m > kNoLength_m) track.push_back(piece);
 }
