@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <vector>
 
 #include "world/threat_field.hpp"
 
@@ -37,9 +38,46 @@ struct Helix {
   }
 };
 
+/// Parts of an arc, in (0, 1), at which it comes into a threat or leaves it, or passes floor or top of a cylinder; from
+/// 0 to 1 and in order. The density bends there, which quadrature is slow to find out. Rounding errors do no harm.
+std::vector<double> bends(const Threat& threat, const Helix& arc) {
+  const Vec2 out = arc.from.head<2>() - arc.center;
+  const Vec2 middle = threat.center.head<2>() - arc.center;
+  const bool cylinder = threat.shape == Threat::Shape::cylinder;
+  std::vector<double> parts{0, 1};
+  const auto add = [&](double t) {
+    if (t > 0 && t < 1) parts.push_back(t);
+  };
+  const double apart = 2 * out.norm() * middle.norm();
+  if (apart > 0 && arc.angle_rad != 0) {
+    const double between = std::atan2(out.y(), out.x()) - std::atan2(middle.y(), middle.x());
+    const double turns = arc.angle_rad / (2 * kPi);
+    // The aircraft is at `between - angle t`, seen from the arc's centre; at +-acos it is as far as the threat reaches.
+    for (const int side : {-1, 1}) {
+      for (int turn = static_cast<int>(-std::abs(turns)) - 2; turn <= static_cast<int>(std::abs(turns)) + 2; ++turn) {
+        double t = 0.5;
+        constexpr int kSteps = 5;  // of a fixed point, for spheres are as wide as the altitude lets them
+        for (int step = 0; step < kSteps; ++step) {
+          const double above = cylinder ? 0 : arc.from.z() + std::clamp(t, 0.0, 1.0) * arc.rise_m - threat.center.z();
+          const double squared = threat.radius_m * threat.radius_m - above * above;
+          const double cosine = (out.squaredNorm() + middle.squaredNorm() - squared) / apart;
+          t = (between + side * std::acos(cosine) + 2 * kPi * turn) / arc.angle_rad;
+        }
+        add(t);  // what is no number is nowhere
+      }
+    }
+  }
+  if (cylinder && arc.rise_m != 0)
+    for (const double z : {threat.floor_m, threat.top_m}) add((z - arc.from.z()) / arc.rise_m);
+  std::ranges::sort(parts);
+  return parts;
+}
+
 double exposure(const Threat& threat, const Helix& arc) {
   const Vec2 middle = arc.center - threat.center.head<2>();
-  if (middle.norm() - (arc.from.head<2>() - arc.center).norm() > threat.radius_m) return 0;
+  const double radius = (arc.from.head<2>() - arc.center).norm();
+  const double away = (arc.from - threat.center).head<2>().norm();
+  if (middle.norm() - radius > threat.radius_m || away - arc.planar_m() > threat.radius_m) return 0;
   const bool cylinder = threat.shape == Threat::Shape::cylinder;
   const auto density = [&](double t) {
     const Vec3 at = arc.at(t);
@@ -48,10 +86,15 @@ double exposure(const Threat& threat, const Helix& arc) {
     if (cylinder) offset.z() = 0;
     return std::max(0.0, 1 - offset.norm() / threat.radius_m);
   };
-  constexpr unsigned kDepth = 15;
+  // Between bends the density is smooth; more would be spent on rounding errors where hardly anything is seen.
+  constexpr unsigned kDepth = 4;
   constexpr double kTolerance = 1e-9;
   using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
-  return threat.level * arc.length() * Rule::integrate(density, 0.0, 1.0, kDepth, kTolerance);
+  const std::vector<double> parts = bends(threat, arc);
+  double sum = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    if (parts[i] > parts[i - 1]) sum += Rule::integrate(density, parts[i - 1], parts[i], kDepth, kTolerance);
+  return threat.level * arc.length() * sum;
 }
 
 }  // namespace

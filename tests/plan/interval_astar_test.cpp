@@ -131,7 +131,8 @@ TEST(FlightPath, KnowsItsCostAfterManyChanges) {
   const Mission& mission = world.site().mission;
   const FlightEnd end{.goal = mission.goal, .tolerance_m = mission.tolerance_m - 1e-3};
   const PlanarPose start = planar_pose(mission.start.x(), mission.start.y(), kPi / 2 - mission.heading_rad);
-  const auto track = search.find({{start}, mission.start.z()}, end, {.epsilon = 1.5, .bin_m = 100}, run);
+  const auto track =
+      search.find({{start}, AltitudeLabel::at(mission.start.z())}, end, {.epsilon = 1.5, .bin_m = 100}, run);
   ASSERT_TRUE(track);
   FlightPath path(cost, end, *track, mission.start.z());
   Stream random(1, 0, 0);

@@ -21,7 +21,7 @@ struct Sky {
         end{.goal = site.mission.goal, .tolerance_m = site.mission.tolerance_m - 1e-3},
         ants(cost, to_go,
              {{{planar_pose(site.mission.start.x(), site.mission.start.y(), kPi / 2 - site.mission.heading_rad)},
-               site.mission.start.z()},
+               AltitudeLabel::at(site.mission.start.z())},
               end},
              {.bin_m = 100, .ahead_m = 300}) {}
 
@@ -104,7 +104,7 @@ TEST(FlightAnts, SeeWhatTheyWillFly) {
 TEST(FlightAnts, ChooseAHeadingWhereNoneIsGiven) {
   Site site = test::open_air_site();
   const Sky sky(site);
-  FlightStart start{.poses = {}, .z = site.mission.start.z()};
+  FlightStart start{.poses = {}, .label = AltitudeLabel::at(site.mission.start.z())};
   for (int k = 0; k < 16; ++k) start.poses.push_back(planar_pose(0, 0, 2 * kPi * k / 16));
   const FlightAnts ants(sky.cost, sky.to_go, {start, sky.end}, {.bin_m = 100, .ahead_m = 300});
   Choices choices;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "alate/check/check.hpp"
 #include "alate/core/stream.hpp"
 #include "support/hand_made_sites.hpp"
@@ -38,6 +40,36 @@ TEST(Objective, AgreesWithTheSecondWitnessInBothModels) {
       const double cost = measure(world.site(), route).cost;
       EXPECT_NEAR(objective.route_cost(route), cost, 1e-6 * cost) << seed;
     }
+  }
+}
+
+/// Arcs that cross a threat, touch it, or lie in it whole; flown level, up or down.
+TEST(Objective, KnowsWhatArcsAreExposedTo) {
+  Site site = site_of(CostModel::physical);
+  site.scenario.objective = {.model = CostModel::physical, .length = 0, .threat = 1, .climb = 0};
+  const World world(site);
+  const Objective objective(world);
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Stream stream(seed, 2, 0);
+    const Vec3 from(1600 * stream.uniform() - 600, 1200 * stream.uniform() - 600, 600 * stream.uniform());
+    const Vec2 center = from.head<2>() + Vec2(600 * stream.uniform() - 300, 600 * stream.uniform() - 300);
+    const Arc arc{.center = center,
+                  .radius_m = (from.head<2>() - center).norm(),
+                  .angle_rad = 12 * (stream.uniform() - 0.5),
+                  .plane = {}};
+    const double rise = seed % 3 == 0 ? 0 : 200 * (stream.uniform() - 0.5);
+    const auto at = [&](double t) {
+      const Eigen::Rotation2D<double> turn(-arc.angle_rad * t);
+      const Vec2 place = center + turn * (from.head<2>() - center);
+      return Vec3(place.x(), place.y(), from.z() + t * rise);
+    };
+    Route route;
+    route.states = {{.position = from, .leg = LegKind::start}, {.position = at(1), .leg = LegKind::arc, .arc = arc}};
+    constexpr int kSamples = 20'000;
+    double sampled = 0;
+    for (int k = 0; k < kSamples; ++k)
+      sampled += world.exposure({at(static_cast<double>(k) / kSamples), at((k + 1.0) / kSamples)});
+    EXPECT_NEAR(objective.route_cost(route), sampled, 1e-6 * (1 + sampled)) << seed;
   }
 }
 

@@ -45,13 +45,13 @@ CorrectionLegs::~CorrectionLegs() = default;
 std::optional<FlownLeg> CorrectionLegs::fly(const FlightStart& start, int name, const Vec3& place, double tolerance_m) {
   std::unique_ptr<Target>& target = targets_[name];
   if (target == nullptr) target = std::make_unique<Target>(site_, place, tolerance_m, run_);
-  const Vec3 from(start.poses[0].x, start.poses[0].y, start.z);
+  const Vec3 from(start.poses[0].x, start.poses[0].y, start.label.low);
   const IntervalSearchOptions options{.epsilon = kEpsilon,
                                       .bin_m = bin_width((place - from).norm(), target->air.band.radius_m()),
                                       .most_nodes = kMostNodes};
   const auto track = target->search.find(start, target->end, options, run_);
   if (!track || track->empty()) return std::nullopt;
-  FlightPath path(target->air.cost, target->end, *track, start.z);
+  FlightPath path(target->air.cost, target->end, *track, from.z());
   path.shorten(run_);
   Stream random(run_.seed(), 0, static_cast<std::uint64_t>(name));
   path.better(random, kTrials, run_);

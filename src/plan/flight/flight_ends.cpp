@@ -8,7 +8,7 @@ namespace alate {
 FlightStart flight_start(const Mission& mission) {
   constexpr int kHeadings = 16;
   const auto pose = [&](double heading) { return planar_pose(mission.start.x(), mission.start.y(), heading); };
-  FlightStart start{.poses = {}, .z = mission.start.z()};
+  FlightStart start{.poses = {}, .label = AltitudeLabel::at(mission.start.z())};
   if (mission.heading_given) {
     start.poses.push_back(pose(kPi / 2 - mission.heading_rad));
     return start;

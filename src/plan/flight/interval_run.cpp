@@ -7,24 +7,25 @@
 
 #include "plan/flight/flight_ends.hpp"
 #include "plan/flight/flight_plan.hpp"
+#include "search/interval/both_ends.hpp"
 #include "search/interval/flight_profile.hpp"
 
 namespace alate {
 
 namespace {
 
-/// One search each; few of the last ones end before the time does. The hasty ones stop at the first way, and narrower
-/// bins are for where wider ones miss all ways. Then wide bins come first: they find other ways round soonest.
-constexpr std::array kPasses{IntervalRun::kHasty,   IntervalPass{4, 1},      IntervalPass{4, 0.5},
-                             IntervalPass{1.5, 4},  IntervalPass{1.3, 3},    IntervalPass{1.3, 2},
+/// After the first way, one search each; few of the last ones end before the time does. Wide bins come first: they find
+/// other ways round soonest.
+constexpr std::array kPasses{IntervalPass{1.5, 4},  IntervalPass{1.3, 3},    IntervalPass{1.3, 2},
                              IntervalPass{1.05, 3}, IntervalPass{1.05, 2},   IntervalPass{1.15, 1},
                              IntervalPass{1.05, 1}, IntervalPass{1.15, 0.5}, IntervalPass{1.05, 0.5}};
-constexpr std::size_t kHastyPasses = 3;
 
 /// Expansions of an iteration: they take about as long as the changes of another one.
 constexpr std::uint64_t kSlice = 700;
 /// The search after the first way seldom needs more, and mostly finds a much better one.
-constexpr std::uint64_t kSecond = 6'000;
+constexpr std::uint64_t kSecond = 12'000;
+/// Expansions of the first search, before it goes on from both ends.
+constexpr std::uint64_t kAlone = 300;
 
 /// Bins; of ways that are nearer to each other only one is bettered.
 constexpr double kApart = 3;
@@ -59,13 +60,20 @@ bool IntervalRun::add(const Track& track) {
   FlightPath path(air_.cost, end, track, mission_.start.z());
   if (!std::isfinite(path.cost())) return false;
   pool_.add(std::move(path));
-  pass_ = std::max(pass_, kHastyPasses);  // Haste is for those who have nothing.
   return true;
 }
 
 IntervalSearchOptions IntervalRun::options_of(const IntervalPass& pass) const {
   const double bin = bin_width((mission_.goal - mission_.start).norm(), air_.band.radius_m());
-  return {.epsilon = pass.epsilon, .bin_m = bin * pass.bin, .most_nodes = pass.most_nodes};
+  // A label that reaches little higher than another in its bin leads to no other ways. In a narrow band over steep
+  // ground labels that differ by a few metres are what searches drown in.
+  constexpr double kAlike = 0.3;
+  constexpr double kLeast_m = 1.5;
+  return {.epsilon = pass.epsilon,
+          .bin_m = bin * pass.bin,
+          .most_nodes = pass.most_nodes,
+          .alike_m = std::max(kLeast_m, kAlike * bin * pass.bin * std::min(1.0, air_.band.slopes().climb)),
+          .by_cost = pass.by_cost};
 }
 
 bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan) {
@@ -80,23 +88,38 @@ bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& p
 
 FlightPath IntervalRun::path_of(const Track& track) const { return {air_.cost, end(), track, mission_.start.z()}; }
 
+/// From the start alone at first, which mostly is enough.
+std::optional<Track> IntervalRun::find_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
+  const IntervalSearchOptions options = options_of(kHasty);
+  astar.begin(flight_start(mission_), end(), options);
+  auto track = astar.go_on(kAlone, run_);
+  plan.counters["expansions"] += astar.expansions();
+  if (track || !run_.keep_going()) return track;
+  to_go.grow(run_);
+  ClimbField to_start = to_go.homeward();
+  to_start.grow(run_);
+  BothEnds both(astar, air_.cost, to_start);
+  constexpr double kNarrowest = 0.15;
+  track = both.find(flight_start(mission_), end(), options, kNarrowest * options.bin_m, run_);
+  plan.counters["expansions"] += both.expansions();
+  return track;
+}
+
 /// Where more is to go than the best way costs, no better one leads.
 void IntervalRun::search_on(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
-  if (!searching_ && !pool_.empty()) to_go.grow_to(run_, pool_.best().cost());
-  if (!searching_) astar.begin(flight_start(mission_), end(), options_of(kPasses[pass_]));
+  if (!searching_) {
+    to_go.grow_to(run_, pool_.empty() ? kInfinity : pool_.best().cost());
+    astar.begin(flight_start(mission_), end(), options_of(kPasses[pass_]));
+  }
   const std::uint64_t before = astar.expansions();
-  std::uint64_t most = pass_ == kHastyPasses ? kSecond : kSlice;
+  std::uint64_t most = pass_ == 0 ? kSecond : kSlice;
   if (pool_.empty()) most = std::numeric_limits<std::uint64_t>::max();
   const auto track = astar.go_on(most, run_);
   plan.counters["expansions"] += astar.expansions() - before;
   searching_ = !track && !astar.exhausted();
   if (searching_) return;
-  if (pool_.empty() && !track && !to_go.is_grown()) {
-    to_go.grow(run_);
-    return;
-  }
   if (track) pool_.add_bettered(path_of(*track), random_, run_);
-  pass_ = std::max(pass_ + 1, pool_.empty() ? 0 : kHastyPasses);
+  ++pass_;
 }
 
 /// Choosing altitudes takes as long as changing a way. What is flown does not hang on when the run will end, so that
@@ -114,7 +137,9 @@ void IntervalRun::improve(ClimbField& to_go, IntervalAStar& astar, Plan& plan,
   bool bounded = note_bound == nullptr;
   bool first = true;
   while (run_.start_iteration(kIterations)) {
-    if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
+    if (pool_.empty() && !std::exchange(looked_for_first_, true)) {
+      if (const auto track = find_first(to_go, astar, plan)) pool_.add_bettered(path_of(*track), random_, run_);
+    } else if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
       search_on(to_go, astar, plan);
     } else if (pool_.empty()) {
       return;

@@ -15,6 +15,7 @@ namespace alate {
 struct IntervalPass {
   double epsilon = 2.5;
   double bin = 1;
+  bool by_cost = true;  ///< Does it take a cheaper label to drop another in its bin?
   std::uint64_t most_nodes = 1'000'000;
 };
 
@@ -23,7 +24,8 @@ struct IntervalPass {
 class IntervalRun {
  public:
   static constexpr std::uint64_t kIterations = 100;  ///< Where neither a budget nor a time limit is given.
-  static constexpr IntervalPass kHasty{8, 2};
+  /// Any way will do.
+  static constexpr IntervalPass kHasty{.epsilon = 8, .bin = 1.5, .by_cost = false};
 
   /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
   IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before = {});
@@ -50,6 +52,7 @@ class IntervalRun {
   static constexpr int kTrials = 1000;  ///< Of changes, an iteration.
 
   IntervalSearchOptions options_of(const IntervalPass& pass) const;
+  std::optional<Track> find_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan);
   FlightPath path_of(const Track& track) const;
   void search_on(ClimbField& to_go, IntervalAStar& astar, Plan& plan);
   void search_shortest(Plan& plan);
@@ -63,6 +66,7 @@ class IntervalRun {
   FlightPool pool_;
   double flown_ = kInfinity;  ///< What the way cost, as far as it was known, for which altitudes were chosen last.
   bool searching_ = false;    ///< A search has begun and not ended.
+  bool looked_for_first_ = false;
   bool looked_for_shortest_ = false;
   std::size_t pass_ = 0;
 };

@@ -26,13 +26,22 @@ class BinPages {
     const int page = row / kSide * pages_across_ + column / kSide;
     std::uint32_t& number = page_of_[static_cast<std::size_t>(page)];
     if (number == kNone) number = next_page();
-    const int bin = (row % kSide * kSide + column % kSide) * kHeadings + heading;
-    return pages_[number][static_cast<std::size_t>(bin)];
+    return pages_[number][bin_in_page(column, row, heading)];
+  }
+
+  /// The same, kNone where no search has been.
+  std::uint32_t find(int column, int row, int heading) const {
+    const std::uint32_t number = page_of_[static_cast<std::size_t>(row / kSide * pages_across_ + column / kSide)];
+    return number == kNone ? kNone : pages_[number][bin_in_page(column, row, heading)];
   }
 
  private:
   static constexpr int kSide = 8;
   using Page = std::array<std::uint32_t, static_cast<std::size_t>(kSide* kSide* kHeadings)>;
+
+  static std::size_t bin_in_page(int column, int row, int heading) {
+    return static_cast<std::size_t>((row % kSide * kSide + column % kSide) * kHeadings + heading);
+  }
 
   std::uint32_t next_page() {
     if (used_ == pages_.size()) pages_.emplace_back();

@@ -90,7 +90,7 @@ void FlightAnts::look_at_start(Choices& out) const {
     out.y[k] = name.y();
     out.z[k] = name.z() - 1;
     out.cost[k] = 0;
-    AltitudeLabel label = AltitudeLabel::at(start_.z);
+    AltitudeLabel label = start_.label;
     label.advance(options_.ahead_m, cost_.band().slopes());
     const double rest = guide(pose.position() + options_.ahead_m * pose.direction(), label);
     out.guide[k] = static_cast<float>(std::isfinite(rest) ? rest : 0);

@@ -57,7 +57,7 @@ class FlightAnts {
   /// `cost` and `to_go` must outlive this. At most as many poses as there are lanes in Choices.
   FlightAnts(const FlightCost& cost, const ClimbField& to_go, FlightEnds ends, const FlightAntsOptions& options);
 
-  State start() const { return {.pose = {}, .label = AltitudeLabel::at(start_.z), .move = Eigen::Vector3f::Zero()}; }
+  State start() const { return {.pose = {}, .label = start_.label, .move = Eigen::Vector3f::Zero()}; }
   std::size_t actions() const { return std::max(kShot + 1, start_.poses.size()); }
   std::size_t step_limit() const { return options_.step_limit; }
 
@@ -74,7 +74,7 @@ class FlightAnts {
   /// The ground track of actions, a piece each but for the shot.
   Track track(std::span<const std::uint32_t> actions) const;
   const FlightEnd& end() const { return end_; }
-  double start_m() const { return start_.z; }
+  double start_m() const { return start_.label.low; }
 
   /// Takes a flight in, in place of the last but one, and tells it as actions. Not while ants walk.
   std::vector<std::uint32_t> learn(const Track& track, const FlightEnd& end);

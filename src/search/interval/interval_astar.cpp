@@ -54,52 +54,99 @@ double IntervalAStar::rest(const Node& node) const {
   return std::min({at(node.label.free), at(node.label.high), at(node.label.low)});
 }
 
-std::uint32_t& IntervalAStar::bin_of(const PlanarPose& pose) {
+IntervalAStar::Bin IntervalAStar::bin_of(const PlanarPose& pose) const {
   const auto column = std::clamp(static_cast<int>((pose.x - area_.min.x()) / options_.bin_m), 0, columns_ - 1);
   const auto row = std::clamp(static_cast<int>((pose.y - area_.min.y()) / options_.bin_m), 0, rows_ - 1);
   const int heading = static_cast<int>(std::lround(pose.heading / (2 * kPi) * kHeadings)) & (kHeadings - 1);
-  return bins_.at(column, row, heading);
+  return {column, row, heading};
 }
 
-bool IntervalAStar::is_dominated(std::uint32_t& bin, const Node& node) const {
+std::uint32_t IntervalAStar::node_near(const PlanarPose& pose) const {
+  const auto [column, row, heading] = bin_of(pose);
+  return bins_.find(column, row, heading);
+}
+
+/// By a label of a bin, the last of which is `in_bin`.
+bool IntervalAStar::is_dominated(std::uint32_t in_bin, double cost, const AltitudeLabel& label) const {
   const double weight = cost_->climb_weight();
   int count = 0;
-  for (std::uint32_t i = bin; i != kNone; i = nodes_[i].next_in_bin, ++count) {
+  for (std::uint32_t i = in_bin; i != kNone; i = nodes_[i].next_in_bin, ++count) {
     const Node& other = nodes_[i];
-    const bool cheaper = other.cost + weight * other.label.ascent_to(std::max(other.label.low, node.label.free)) <=
-                         node.cost + weight * node.label.ascent;
-    constexpr double kAlike_m = 1.5;
-    const bool wider = other.label.low <= node.label.low + kAlike_m && other.label.high >= node.label.high - kAlike_m;
-    if (cheaper && wider) return true;
+    const bool cheaper =
+        !options_.by_cost || other.cost + weight * other.label.ascent_to(std::max(other.label.low, label.free)) <=
+                                 cost + weight * label.ascent;
+    const bool wider =
+        other.label.low <= label.low + options_.alike_m && other.label.high >= label.high - options_.alike_m;
+    if (wider && cheaper) return true;
   }
   constexpr int kMostLabels = 12;
   return count >= kMostLabels;
 }
 
-void IntervalAStar::add(Node node) {
+/// Is a label dead or dominated however well the way to `next` may turn out, so that it need not be walked?
+bool IntervalAStar::is_hopeless(const Node& at, const PlanarPose& next, double length_m) const {
+  AltitudeLabel best = at.label;
+  best.advance(length_m, cost_->band().slopes());
+  const auto [floor, ceiling] = cost_->band().open_at(next.position());
+  best.low = std::max(best.low, floor);
+  best.high = std::min(best.high, ceiling);
+  return !best.alive() || is_dominated(node_near(next), at.cost + cost_->length_weight() * length_m, best);
+}
+
+/// The node added; kNone where it is of no use.
+std::uint32_t IntervalAStar::add(const Node& node) {
   const double rest_cost = rest(node);
-  if (!std::isfinite(rest_cost)) return;
-  std::uint32_t& bin = bin_of(node.pose);
-  if (is_dominated(bin, node)) return;
-  node.next_in_bin = bin;
+  if (!std::isfinite(rest_cost)) return kNone;
+  const auto [column, row, heading] = bin_of(node.pose);
+  std::uint32_t& bin = bins_.at(column, row, heading);
+  if (is_dominated(bin, node.cost, node.label)) return kNone;
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   open_.push_back({node.cost + options_.epsilon * rest_cost, index});
   std::ranges::push_heap(open_, std::greater{});
   nodes_.push_back(node);
+  nodes_.back().next_in_bin = bin;
   bin = index;
+  return index;
+}
+
+/// Along its piece; false where no altitude is left.
+bool IntervalAStar::advance(Node& node) const {
+  node.cost += cost_->advance(node.piece, node.label);
+  return std::isfinite(node.cost);
 }
 
 void IntervalAStar::expand(std::uint32_t from) {
-  for (const auto& [steering, length_m] : primitives_) {
-    Node next{.piece = {steering, nodes_[from].pose, length_m, cost_->band().radius_m()},
-              .label = nodes_[from].label,
-              .parent = from};
-    const double step = cost_->advance(next.piece, next.label);
-    if (!next.label.alive()) continue;
-    next.pose = next.piece.end();
-    next.cost = nodes_[from].cost + step;
-    add(next);
+  for (const TwoPieces& primitive : primitives_) expand(from, primitive);
+}
+
+void IntervalAStar::expand(std::uint32_t from, const TwoPieces& primitive) {
+  const double radius = cost_->band().radius_m();
+  const Node at = nodes_[from];
+  const PlanarPose middle = moved(at.pose, primitive.first);
+  const PlanarPose last = moved(middle, primitive.second);
+  const bool is_short_hopeless = is_hopeless(at, middle, primitive.first_m);
+  const bool is_long_hopeless = is_hopeless(at, last, primitive.first_m + primitive.second_m);
+  if (is_short_hopeless && is_long_hopeless) return;
+  Node first{.piece = {primitive.steering, at.pose, primitive.first_m, radius},
+             .pose = middle,
+             .label = at.label,
+             .cost = at.cost,
+             .parent = from};
+  if (!advance(first)) return;
+  std::uint32_t parent = is_short_hopeless ? kNone : add(first);
+  if (is_long_hopeless) return;
+  Node second{.piece = {primitive.steering, middle, primitive.second_m, radius},
+              .pose = last,
+              .label = first.label,
+              .cost = first.cost};
+  if (!advance(second)) return;
+  if (parent == kNone) {
+    // Only passed through.
+    parent = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(first);
   }
+  second.parent = parent;
+  add(second);
 }
 
 std::optional<Track> IntervalAStar::shot(std::uint32_t from) const {
@@ -134,14 +181,18 @@ void IntervalAStar::begin(const FlightStart& start, const FlightEnd& end, const 
   expansions_ = 0;
   until_shot_ = 0;
   using enum Steering;
-  const double arc = cost_->band().radius_m() * kPi / 8;
-  primitives_ = {{left, arc},
-                 {right, arc},
-                 {left, 2 * arc},
-                 {right, 2 * arc},
-                 {straight, options_.bin_m},
-                 {straight, 3 * options_.bin_m}};
-  for (const PlanarPose& pose : start.poses) add({.pose = pose, .label = AltitudeLabel::at(start.z)});
+  const double radius = cost_->band().radius_m();
+  const auto primitive = [&](Steering steering, double first_m, double second_m) {
+    return TwoPieces{.steering = steering,
+                     .first_m = first_m,
+                     .second_m = second_m,
+                     .first = planar_motion(steering, first_m, radius),
+                     .second = planar_motion(steering, second_m, radius)};
+  };
+  const double arc = radius * kPi / 8;
+  primitives_ = {primitive(left, arc, arc), primitive(right, arc, arc),
+                 primitive(straight, options_.bin_m, 2 * options_.bin_m)};
+  for (const PlanarPose& pose : start.poses) add({.pose = pose, .label = start.label});
 }
 
 Track IntervalAStar::track_to(std::uint32_t node) const {
@@ -161,7 +212,7 @@ std::optional<Track> IntervalAStar::go_on(std::uint64_t most_expansions, RunCont
   for (std::uint64_t count = 0; !exhausted() && count < most_expansions; ++count) {
     const std::uint32_t at = pop_open().node;
     if (++expansions_ % kPollEvery == 0 && !run.keep_going()) break;
-    if (until_shot_-- == 0) {
+    if (options_.shoots && until_shot_-- == 0) {
       if (const auto last = shot(at)) {
         Track whole = track_to(at);
         whole.insert(whole.end(), last->begin(), last->end());

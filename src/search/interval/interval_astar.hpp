@@ -4,6 +4,7 @@
 // there cheaper with at least its altitudes. Guided by a cost-to-go that knows climbing (ClimbField).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -30,16 +31,21 @@ struct FlightEnd {
   double high() const { return goal.z() + tolerance_m * std::sin(tilt_rad); }
 };
 
-/// Where it begins: at one altitude, and one of these poses.
+/// Where it begins: at one of these poses and altitudes.
 struct FlightStart {
   std::vector<PlanarPose> poses;
-  double z = 0;
+  AltitudeLabel label;
 };
 
 struct IntervalSearchOptions {
   double epsilon = 2.5;  ///< How much the cost-to-go weighs.
   double bin_m = 100;
   std::uint64_t most_nodes = 1'000'000;
+  /// A label is dropped where another one in its bin has its altitudes, but for so many metres.
+  double alike_m = 1.5;
+  /// Does it take one that is cheaper to drop another? Otherwise the first one stays: where any way will do.
+  bool by_cost = true;
+  bool shoots = true;  ///< Are shortest ways to the end tried?
 };
 
 /// Keeps its arrays between searches: nodes, bins and queue. Not for two threads at once.
@@ -65,8 +71,8 @@ class IntervalAStar {
   /// Since the search began.
   std::uint64_t expansions() const { return expansions_; }
 
- private:
   static constexpr std::uint32_t kNone = BinPages::kNone;
+  /// How far it has come.
   struct Node {
     PlanarPiece piece;  ///< That led here.
     PlanarPose pose;
@@ -75,6 +81,21 @@ class IntervalAStar {
     std::uint32_t parent = kNone;
     std::uint32_t next_in_bin = kNone;
   };
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// The last node that came to the bin of a place and heading; kNone if none did.
+  std::uint32_t node_near(const PlanarPose& pose) const;
+  Track track_to(std::uint32_t node) const;
+
+ private:
+  struct Bin {
+    int column, row, heading;
+  };
+  /// A piece and one more of the same kind that goes on from its end.
+  struct TwoPieces {
+    Steering steering;
+    double first_m, second_m;
+    PlanarMotion first, second;
+  };
   struct Open {
     double key;
     std::uint32_t node;
@@ -82,11 +103,13 @@ class IntervalAStar {
   };
 
   Open pop_open();
-  Track track_to(std::uint32_t node) const;
   void expand(std::uint32_t from);
-  void add(Node node);
-  bool is_dominated(std::uint32_t& bin, const Node& node) const;
-  std::uint32_t& bin_of(const PlanarPose& pose);
+  void expand(std::uint32_t from, const TwoPieces& primitive);
+  bool advance(Node& node) const;
+  std::uint32_t add(const Node& node);
+  bool is_dominated(std::uint32_t in_bin, double cost, const AltitudeLabel& label) const;
+  bool is_hopeless(const Node& at, const PlanarPose& next, double length_m) const;
+  Bin bin_of(const PlanarPose& pose) const;
   double rest(const Node& node) const;
   std::optional<Track> shot(std::uint32_t from) const;
 
@@ -99,7 +122,7 @@ class IntervalAStar {
   int rows_ = 0;
   BinPages bins_;  ///< The last node that came to each.
   std::vector<Node> nodes_;
-  std::vector<std::pair<Steering, double>> primitives_;
+  std::array<TwoPieces, 3> primitives_{};
   std::vector<Open> open_;  ///< A heap, the least key in front.
   std::uint64_t expansions_ = 0;
   std::uint64_t until_shot_ = 0;

@@ -23,16 +23,20 @@ double slope(const std::optional<double>& limit_rad) {
 
 /// The greatest slope of the ground anywhere.
 double steepness(const HeightRaster& raster) {
-  double most = 0;
-  for (int row = 0; row < raster.rows; ++row)
-    for (int column = 0; column < raster.columns; ++column) {
-      const auto here = double{raster.post(column, row)};
-      const double right = column + 1 < raster.columns ? double{raster.post(column + 1, row)} - here : 0;
-      const double down = row + 1 < raster.rows ? double{raster.post(column, row + 1)} - here : 0;
-      if (std::isfinite(right)) most = std::max(most, std::abs(right));
-      if (std::isfinite(down)) most = std::max(most, std::abs(down));
-    }
-  return std::numbers::sqrt2 * most;
+  float most = 0;
+  // What is no number, beside a void, is never more.
+  const auto look = [&](const float* from, const float* to, int count) {
+    float rise = 0;
+    for (int i = 0; i < count; ++i) rise = std::abs(to[i] - from[i]) > rise ? std::abs(to[i] - from[i]) : rise;
+    most = std::max(most, rise);
+  };
+  for (int row = 0; row < raster.rows; ++row) {
+    const float* posts = raster.posts.data() + static_cast<std::ptrdiff_t>(row) * raster.columns;
+    look(posts, posts + 1, raster.columns - 1);
+    if (row + 1 < raster.rows) look(posts, posts + raster.columns, raster.columns);
+  }
+  constexpr double kRounding = 1 + 1e-6;
+  return std::numbers::sqrt2 * kRounding * double{most};
 }
 
 }  // namespace
@@ -63,6 +67,15 @@ BandWalk::BandWalk(const World& world)
                       .top_m = sphere ? threat.center.z() : threat.top_m + kSpareHeight_m,
                       .sphere = sphere});
   }
+}
+
+std::pair<double, double> BandWalk::open_at(const Vec2& place) const {
+  constexpr double kRounding_m = 1e-6;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (raster_ == nullptr && peaks_ == nullptr) return {-kInfinity, ceiling_amsl_m_};
+  const auto ground = world_.height(place);
+  if (!ground || std::isnan(*ground)) return {kInfinity, -kInfinity};
+  return {*ground + clearance_m_ - kRounding_m, std::min(ceiling_amsl_m_, *ground + ceiling_agl_m_ + kRounding_m)};
 }
 
 bool BandWalk::is_near_core(const PlanarPiece& piece) const {

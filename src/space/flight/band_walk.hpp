@@ -8,6 +8,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "alate/world/world.hpp"
@@ -37,6 +38,14 @@ class BandWalk {
   /// Of the circles that are flown: a little more than the least that the vehicle can.
   double radius_m() const { return radius_m_; }
   const SlopeLimits& slopes() const { return slopes_; }
+  /// Altitudes that may be open at a place: none that is open is left out.
+  std::pair<double, double> open_at(const Vec2& place) const;
+  /// The same band for flights the other way: climbs are descents there.
+  BandWalk homeward() const {
+    BandWalk other(*this);
+    other.slopes_ = slopes_.reversed();
+    return other;
+  }
 
   /// Calls visit(BandPiece) from begin to end; false as soon as the ground ends, is unknown, or `visit` returns false.
   template <class Visit>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "space/lower_bound.hpp"
-
 namespace alate {
 
 namespace {
@@ -46,6 +44,8 @@ double least_cell_m(const Site& site) {
 ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, const std::optional<Vec3>& until)
     : site_(&world.site()),
       slopes_(slopes),
+      end_(site_->mission.goal),
+      tolerance_m_(site_->mission.tolerance_m),
       band_(world, run, least_cell_m(*site_)),
       climb_weight_(static_cast<float>(site_->scenario.objective.climb)),
       values_(band_.size() * kLayers, kNever),
@@ -53,14 +53,7 @@ ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext
       waiting_(band_.size(), kNever),
       fresh_(band_.size(), 0),
       worthwhile_(kWorthwhile * static_cast<float>(band_.cell_m())) {
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const double length = band_.cell_m() * std::hypot(kNeighbours[i][0], kNeighbours[i][1]);
-    steps_[i] = {.column = kNeighbours[i][0],
-                 .row = kNeighbours[i][1],
-                 .length_m = static_cast<float>(length),
-                 .climb_m = static_cast<float>(slopes.climb * length),
-                 .descent_m = static_cast<float>(slopes.descent * length)};
-  }
+  set_steps();
   for (std::size_t cell = 0; cell < band_.size(); ++cell) {
     floor_.push_back(static_cast<float>(band_.floor_m(cell)));
     layer_m_.push_back(static_cast<float>(band_.layer_m(cell)));
@@ -68,6 +61,38 @@ ClimbField::ClimbField(const World& world, const SlopeLimits& slopes, RunContext
   }
   seed();
   grow(run, until);
+}
+
+ClimbField ClimbField::homeward() const {
+  ClimbField home(*this);
+  home.slopes_ = slopes_.reversed();
+  home.end_ = site_->mission.start;
+  home.tolerance_m_ = 0;
+  home.set_steps();
+  home.forget();
+  home.seed();
+  return home;
+}
+
+void ClimbField::set_steps() {
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const double length = band_.cell_m() * std::hypot(kNeighbours[i][0], kNeighbours[i][1]);
+    steps_[i] = {.column = kNeighbours[i][0],
+                 .row = kNeighbours[i][1],
+                 .length_m = static_cast<float>(length),
+                 .climb_m = static_cast<float>(slopes_.climb * length),
+                 .descent_m = static_cast<float>(slopes_.descent * length)};
+  }
+}
+
+/// What a straight flight costs, no shorter than the climb or descent that is needed allows.
+double ClimbField::straight(const Vec3& from) const {
+  const double rise = end_.z() - from.z();
+  const double needed = std::max(0.0, std::abs(rise) - tolerance_m_);
+  const double slope = rise > 0 ? slopes_.climb : slopes_.descent;
+  const double length = std::max((end_ - from).norm() - tolerance_m_, needed * std::hypot(1, 1 / slope));
+  return site_->scenario.objective.length * std::max(0.0, length) +
+         (rise > 0 ? site_->scenario.objective.climb * needed : 0);
 }
 
 void ClimbField::set_metre_cost(std::size_t cell) {
@@ -78,14 +103,13 @@ void ClimbField::set_metre_cost(std::size_t cell) {
 }
 
 void ClimbField::seed() {
-  const double radius = std::max(site_->mission.tolerance_m, kSeedCells * band_.cell_m());
+  const double radius = std::max(tolerance_m_, kSeedCells * band_.cell_m());
   for (std::size_t cell = 0; cell < band_.size(); ++cell) {
     const Vec2 center = band_.center(cell);
-    if (band_.blocked(cell) || (center - site_->mission.goal.head<2>()).norm() > radius) continue;
+    if (band_.blocked(cell) || (center - end_.head<2>()).norm() > radius) continue;
     for (int layer = 0; layer < kLayers; ++layer)
       if (metre_cost(cell, layer) < kNever)
-        offer(cell, layer,
-              static_cast<float>(physical_bound(*site_, {center.x(), center.y(), band_.altitude(cell, layer)})));
+        offer(cell, layer, static_cast<float>(straight({center.x(), center.y(), band_.altitude(cell, layer)})));
   }
 }
 
@@ -192,8 +216,7 @@ float ClimbField::value_at(std::size_t cell, float z) const {
 }
 
 double ClimbField::operator()(const Vec3& position) const {
-  if ((position - site_->mission.goal).head<2>().norm() < kSeedCells * band_.cell_m())
-    return physical_bound(*site_, position);
+  if ((position - end_).head<2>().norm() < kSeedCells * band_.cell_m()) return straight(position);
   return band_.blend(position.head<2>(),
                      [&](std::size_t cell) { return double{value_at(cell, static_cast<float>(position.z()))}; });
 }

@@ -28,6 +28,9 @@ class ClimbField {
   /// outlive this.
   ClimbField(const World& world, const SlopeLimits& slopes, RunContext& run, const std::optional<Vec3>& until = {});
 
+  /// The same for flights the other way: to the start of its world, climbs being descents. It knows nothing yet.
+  ClimbField homeward() const;
+
   /// Goes on as far as `until`, or everywhere. What is nearer to the goal than that is then known, and what is little
   /// farther; beyond it the field is infinite.
   void grow(RunContext& run, const std::optional<Vec3>& until = {});
@@ -68,7 +71,10 @@ class ClimbField {
     float climb_m = 0, descent_m = 0;  ///< At most, on the way.
   };
 
+  void set_steps();
   void set_metre_cost(std::size_t cell);
+  void forget();
+  double straight(const Vec3& from) const;
   template <class Enough>
   void grow_until(RunContext& run, const Enough& enough);
   void forget_from(float least);
@@ -86,6 +92,8 @@ class ClimbField {
 
   const Site* site_;
   SlopeLimits slopes_;
+  Vec3 end_;
+  double tolerance_m_;
   CoarseBand band_;
   float climb_weight_;
   std::array<Step, 16> steps_{};

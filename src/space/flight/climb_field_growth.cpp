@@ -43,11 +43,17 @@ void ClimbField::add_threats(const World& world, std::span<const Threat> added) 
 }
 
 void ClimbField::aim_anew() {
+  end_ = site_->mission.goal;
+  tolerance_m_ = site_->mission.tolerance_m;
+  forget();
+  seed();
+}
+
+void ClimbField::forget() {
   std::ranges::fill(values_, std::numeric_limits<float>::infinity());
   queue_ = {};
   std::ranges::fill(waiting_, std::numeric_limits<float>::infinity());
   std::ranges::fill(fresh_, std::uint8_t{0});
-  seed();
 }
 
 void ClimbField::confine(const Vec2& center, double radius_m) {
