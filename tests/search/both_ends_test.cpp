@@ -76,8 +76,8 @@ TEST(BothEnds, LeaveAndEnterPocketsSoonerThanOneEndAlone) {
     IntervalAStar search(air.cost, air.to_go);
     ASSERT_TRUE(search.find(air.start(), air.end(), kHasty, air.run));
     const std::uint64_t alone = search.expansions();
-    BothEnds both(search, air.cost, air.to_start);
-    const auto track = both.find(air.start(), air.end(), kHasty, 20, air.run);
+    BothEnds both(search, air.cost, air.to_start, 20);
+    const auto track = both.find(air.start(), air.end(), kHasty, air.run);
     ASSERT_TRUE(track);
     expect_is_a_way(air, *track);
     if (!at_goal) continue;
@@ -104,7 +104,7 @@ TEST(BothEnds, FindWholeWaysOverMountains) {
     site.mission.heading_rad = 2 * kPi * random.uniform();
     Air air(site);
     IntervalAStar search(air.cost, air.to_go);
-    const auto track = BothEnds(search, air.cost, air.to_start).find(air.start(), air.end(), kHasty, 20, air.run);
+    const auto track = BothEnds(search, air.cost, air.to_start, 20).find(air.start(), air.end(), kHasty, air.run);
     if (!track) continue;
     ++found;
     expect_is_a_way(air, *track);
@@ -116,12 +116,14 @@ TEST(BothEnds, GiveUpWhereAnEndHasNoWayOut) {
   Site site = pocket_site(true);
   auto& raster = std::get<HeightRaster>(site.ground);
   for (int row = 34; row < 47; ++row)
-    for (int column = 104; column < 107; ++column)
-      raster.posts[static_cast<std::size_t>(row * raster.columns + column)] = 1000;
+    for (int column = 104; column < 107; ++column) {
+      const int post = row * raster.columns + column;
+      raster.posts[static_cast<std::size_t>(post)] = 1000;
+    }
   Air air(site);
   IntervalAStar search(air.cost, air.to_go);
-  BothEnds both(search, air.cost, air.to_start);
-  EXPECT_FALSE(both.find(air.start(), air.end(), kHasty, 20, air.run));
+  BothEnds both(search, air.cost, air.to_start, 20);
+  EXPECT_FALSE(both.find(air.start(), air.end(), kHasty, air.run));
   // Not before all of the map is full, but the pocket.
   EXPECT_LT(both.expansions(), 100'000);
 }
@@ -147,7 +149,8 @@ TEST(IntervalAStar, KeepsNoNodeThatIsNowhere) {
   Site site = test::ridge_site();
   auto& raster = std::get<HeightRaster>(site.ground);
   for (int row = 0; row < 60; ++row) {
-    raster.posts[static_cast<std::size_t>(row * raster.columns + 30)] = std::numeric_limits<float>::quiet_NaN();
+    const int post = row * raster.columns + 30;
+    raster.posts[static_cast<std::size_t>(post)] = std::numeric_limits<float>::quiet_NaN();
     ++raster.voids;
   }
   Air air(site);

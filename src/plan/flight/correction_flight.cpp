@@ -97,7 +97,8 @@ class CorrectionFlight {
     if (!is_new) return place->second;
     const Node to = nodes.back();
     FlightStart start = flight_start(problem_.mission);
-    if (!way.empty()) start = {.poses = {way.back()->end}, .label = AltitudeLabel::at(graph_.position(nodes[nodes.size() - 2]).z())};
+    if (!way.empty())
+      start = {.poses = {way.back()->end}, .label = AltitudeLabel::at(graph_.position(nodes[nodes.size() - 2]).z())};
     const double tolerance_m = to == graph_.goal() ? problem_.mission.tolerance_m : 0;
     place->second = legs_.fly(start, static_cast<int>(to), graph_.position(to), tolerance_m);
     ++plan_.counters["legs"];

@@ -98,9 +98,9 @@ std::optional<Track> IntervalRun::find_first(ClimbField& to_go, IntervalAStar& a
   to_go.grow(run_);
   ClimbField to_start = to_go.homeward();
   to_start.grow(run_);
-  BothEnds both(astar, air_.cost, to_start);
   constexpr double kNarrowest = 0.15;
-  track = both.find(flight_start(mission_), end(), options, kNarrowest * options.bin_m, run_);
+  BothEnds both(astar, air_.cost, to_start, kNarrowest * options.bin_m);
+  track = both.find(flight_start(mission_), end(), options, run_);
   plan.counters["expansions"] += both.expansions();
   return track;
 }

@@ -31,7 +31,8 @@ class BinPages {
 
   /// The same, kNone where no search has been.
   std::uint32_t find(int column, int row, int heading) const {
-    const std::uint32_t number = page_of_[static_cast<std::size_t>(row / kSide * pages_across_ + column / kSide)];
+    const int page = row / kSide * pages_across_ + column / kSide;
+    const std::uint32_t number = page_of_[static_cast<std::size_t>(page)];
     return number == kNone ? kNone : pages_[number][bin_in_page(column, row, heading)];
   }
 
@@ -40,7 +41,8 @@ class BinPages {
   using Page = std::array<std::uint32_t, static_cast<std::size_t>(kSide* kSide* kHeadings)>;
 
   static std::size_t bin_in_page(int column, int row, int heading) {
-    return static_cast<std::size_t>((row % kSide * kSide + column % kSide) * kHeadings + heading);
+    const int bin = (row % kSide * kSide + column % kSide) * kHeadings + heading;
+    return static_cast<std::size_t>(bin);
   }
 
   std::uint32_t next_page() {

@@ -7,11 +7,11 @@
 
 namespace alate {
 
-BothEnds::BothEnds(IntervalAStar& out, const FlightCost& cost, const ClimbField& to_start)
-    : out_(out), band_(cost.band().homeward()), cost_(band_), back_(cost_, to_start) {}
+BothEnds::BothEnds(IntervalAStar& out, const FlightCost& cost, const ClimbField& to_start, double least_bin_m)
+    : out_(out), band_(cost.band().homeward()), cost_(band_), back_(cost_, to_start), least_bin_m_(least_bin_m) {}
 
 std::optional<Track> BothEnds::find(const FlightStart& start, const FlightEnd& end,
-                                    const IntervalSearchOptions& options, double least_bin_m, RunContext& run) {
+                                    const IntervalSearchOptions& options, RunContext& run) {
   End from_start{.search = out_, .start = start, .end = end, .options = options};
   const PlanarPose& first = start.poses.front();
   End from_goal{
@@ -29,7 +29,7 @@ std::optional<Track> BothEnds::find(const FlightStart& start, const FlightEnd& e
   while (run.keep_going()) {
     constexpr int kSteps = 64;
     for (int k = 0; k < kSteps; ++k) {
-      if (!narrow(from_start, least_bin_m) || !narrow(from_goal, least_bin_m)) return std::nullopt;
+      if (!from_start.go_on_narrower(least_bin_m_) || !from_goal.go_on_narrower(least_bin_m_)) return std::nullopt;
       if (auto track = step(from_start, from_goal, run)) return track;
       if (auto track = step(from_goal, from_start, run)) return track;
     }
@@ -37,12 +37,12 @@ std::optional<Track> BothEnds::find(const FlightStart& start, const FlightEnd& e
   return std::nullopt;
 }
 
-/// False where there is nothing left to search.
-bool BothEnds::narrow(End& one, double least_bin_m) const {
-  while (one.search.exhausted()) {
-    one.options.bin_m /= 2;
-    if (one.options.bin_m < least_bin_m) return false;
-    one.begin();
+/// Where nothing is left, with bins half as wide; false where they would be too narrow.
+bool BothEnds::End::go_on_narrower(double least_bin_m) {
+  while (search.exhausted()) {
+    options.bin_m /= 2;
+    if (options.bin_m < least_bin_m) return false;
+    begin();
   }
   return true;
 }

@@ -13,19 +13,21 @@ namespace alate {
 /// left begins anew with bins half as wide: it may be in a pocket whose way out they hid.
 class BothEnds {
  public:
-  /// `out` searches from the start; `to_start` guides from the goal back there. All must outlive this.
-  BothEnds(IntervalAStar& out, const FlightCost& cost, const ClimbField& to_start);
+  /// `out` searches from the start; `to_start` guides from the goal back there. All must outlive this. No bins become
+  /// narrower than `least_bin_m`.
+  BothEnds(IntervalAStar& out, const FlightCost& cost, const ClimbField& to_start, double least_bin_m);
   BothEnds(const BothEnds&) = delete;
   BothEnds& operator=(const BothEnds&) = delete;
 
-  /// Looks for a track whose labels all live, from the start to the end. No bins are narrower than `least_bin_m`.
+  /// A track whose labels all live, from the start to the end; nothing if none was found.
   std::optional<Track> find(const FlightStart& start, const FlightEnd& end, const IntervalSearchOptions& options,
-                            double least_bin_m, RunContext& run);
+                            RunContext& run);
 
   /// Of both searches.
   std::uint64_t expansions() const { return expansions_; }
 
  private:
+  /// One of the searches.
   struct End {
     IntervalAStar& search;
     FlightStart start;
@@ -33,8 +35,8 @@ class BothEnds {
     IntervalSearchOptions options;
 
     void begin() { search.begin(start, end, options); }
+    bool go_on_narrower(double least_bin_m);
   };
-  bool narrow(End& one, double least_bin_m) const;
   std::optional<Track> step(End& one, const End& other, RunContext& run);
   std::optional<Track> join_near(const End& one, std::uint32_t node, const End& other) const;
   std::optional<Track> join(std::uint32_t first, std::uint32_t second) const;
@@ -43,6 +45,7 @@ class BothEnds {
   BandWalk band_;
   FlightCost cost_;
   IntervalAStar back_;
+  double least_bin_m_;
   std::uint64_t expansions_ = 0;
 };
 
