@@ -88,6 +88,12 @@ bool IntervalRun::search(IntervalAStar& astar, const IntervalPass& pass, Plan& p
 
 FlightPath IntervalRun::path_of(const Track& track) const { return {air_.cost, end(), track, mission_.start.z()}; }
 
+bool IntervalRun::search_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
+  looked_for_first_ = true;
+  if (const auto track = find_first(to_go, astar, plan)) pool_.add_bettered(path_of(*track), random_, run_);
+  return !pool_.empty();
+}
+
 /// From the start alone at first, which mostly is enough.
 std::optional<Track> IntervalRun::find_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
   const IntervalSearchOptions options = options_of(kHasty);
@@ -137,8 +143,8 @@ void IntervalRun::improve(ClimbField& to_go, IntervalAStar& astar, Plan& plan,
   bool bounded = note_bound == nullptr;
   bool first = true;
   while (run_.start_iteration(kIterations)) {
-    if (pool_.empty() && !std::exchange(looked_for_first_, true)) {
-      if (const auto track = find_first(to_go, astar, plan)) pool_.add_bettered(path_of(*track), random_, run_);
+    if (pool_.empty() && !looked_for_first_) {
+      search_first(to_go, astar, plan);
     } else if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
       search_on(to_go, astar, plan);
     } else if (pool_.empty()) {

@@ -39,6 +39,9 @@ class IntervalRun {
   /// The same, for a way that one search finds. Its expansions are counted in `plan`.
   bool search(IntervalAStar& astar, const IntervalPass& pass, Plan& plan);
 
+  /// Takes the first way that can be had, searching from both ends if need be; false if none is found.
+  bool search_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan);
+
   /// Altitudes for the way that seems best; into `plan` if it is better than what is there.
   void fly_best(Plan& plan);
 

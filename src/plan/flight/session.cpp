@@ -154,9 +154,12 @@ Plan Session::replan(const FlightState& state, const FlightChange& change, RunCo
                      run, plan);
     if (plan.route.empty()) note_barrier(Problem(kept.air->world), run, plan);
     const bool is_over = plan.outcome == Outcome::infeasible_proven;
-    if (!is_over && (run.iterations() < run.iteration_limit() || run.iteration_limit() == 0)) {
+    const bool may_go_on = run.iterations() < run.iteration_limit() || run.iteration_limit() == 0;
+    if (!is_over && (may_go_on || plan.route.empty())) {
       kept.complete_field(run);
-      run_from(*kept.air, plan, run).improve(*kept.field, *kept.astar, plan, kept.bound_by(run));
+      IntervalRun flight = run_from(*kept.air, plan, run);
+      if (plan.route.empty() && flight.search_first(*kept.field, *kept.astar, plan)) flight.fly_best(plan);
+      if (may_go_on) flight.improve(*kept.field, *kept.astar, plan, kept.bound_by(run));
     }
   }
   conclude_flight(plan, run, kNoFlight);

@@ -84,7 +84,8 @@ class Programme {
     const double high = std::clamp(z + ahead * slopes_.climb, low, to.gate.ceiling);
     Choice best;
     const auto consider = [&](double at) {
-      const double flown = prices_.length * std::hypot(ahead, at - z) + prices_.climb * std::max(0.0, at - z);
+      const double flown =
+          prices_.length * std::sqrt(ahead * ahead + (at - z) * (at - z)) + prices_.climb * std::max(0.0, at - z);
       const double cost = flown + to.to_go_from(at);
       if (cost < best.cost) best = {at, cost};
     };
