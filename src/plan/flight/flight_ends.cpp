@@ -6,17 +6,10 @@
 namespace alate {
 
 FlightStart flight_start(const Mission& mission) {
-  constexpr int kHeadings = 16;
-  const auto pose = [&](double heading) { return planar_pose(mission.start.x(), mission.start.y(), heading); };
-  FlightStart start{.poses = {}, .label = AltitudeLabel::at(mission.start.z())};
-  if (mission.heading_given) {
-    start.poses.push_back(pose(kPi / 2 - mission.heading_rad));
-    return start;
-  }
-  const Vec2 way = (mission.goal - mission.start).head<2>();
-  for (int k = 0; k < kHeadings; ++k)
-    start.poses.push_back(pose(std::atan2(way.y(), way.x()) + 2 * kPi * k / kHeadings));
-  return start;
+  const Vec2 at = mission.start.head<2>();
+  const AltitudeLabel label = AltitudeLabel::at(mission.start.z());
+  if (!mission.heading_given) return {any_heading(at, mission.goal.head<2>()), label};
+  return {{planar_pose(at.x(), at.y(), kPi / 2 - mission.heading_rad)}, label};
 }
 
 FlightEnd flight_end(const Vec3& goal, double tolerance_m) {

@@ -1,8 +1,5 @@
 #include "search/interval/both_ends.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "space/dubins/dubins_path.hpp"
 
 namespace alate {
@@ -14,16 +11,12 @@ std::optional<Track> BothEnds::find(const FlightStart& start, const FlightEnd& e
                                     const IntervalSearchOptions& options, RunContext& run) {
   End from_start{.search = out_, .start = start, .end = end, .options = options};
   const PlanarPose& first = start.poses.front();
-  End from_goal{
-      .search = back_,
-      .start = {.poses = {}, .label = {.low = end.low(), .high = end.high(), .ascent = 0, .free = end.high()}},
-      .end = {.goal = {first.x, first.y, start.label.low}},
-      .options = options};
+  End from_goal{.search = back_,
+                .start = {.poses = any_heading(end.place(), first.position()),
+                          .label = {.low = end.low(), .high = end.high(), .ascent = 0, .free = end.high()}},
+                .end = {.goal = {first.x, first.y, start.label.low}},
+                .options = options};
   from_goal.options.shoots = false;
-  const double towards = std::atan2(first.y - end.place().y(), first.x - end.place().x());
-  for (int k = 0; k < BinPages::kHeadings; ++k)
-    from_goal.start.poses.push_back(
-        planar_pose(end.place().x(), end.place().y(), towards + 2 * kPi * k / BinPages::kHeadings));
   from_start.begin();
   from_goal.begin();
   while (run.keep_going()) {

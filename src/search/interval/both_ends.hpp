@@ -1,8 +1,6 @@
 // The search from both ends at once. One that is caught in a valley with no way out, or that finds a goal which can be
-// come to from the other one only, must fill all of the trap; from the other end the same way is easy to find.
+// come to from the far side only, must fill all of the trap; from the other end the same way is easy to find.
 #pragma once
-
-#include <array>
 
 #include "search/interval/interval_astar.hpp"
 

@@ -24,6 +24,14 @@ Box2 area_of(const World& world) {
 
 }  // namespace
 
+std::vector<PlanarPose> any_heading(const Vec2& at, const Vec2& towards) {
+  const Vec2 way = towards - at;
+  std::vector<PlanarPose> poses;
+  for (int k = 0; k < kHeadings; ++k)
+    poses.push_back(planar_pose(at.x(), at.y(), std::atan2(way.y(), way.x()) + 2 * kPi * k / kHeadings));
+  return poses;
+}
+
 void cut_at_end(Track& track, const FlightEnd& end) {
   if (track.empty() || end.radius_m() <= 0) return;
   PlanarPiece& last = track.back();

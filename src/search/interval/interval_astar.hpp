@@ -37,6 +37,9 @@ struct FlightStart {
   AltitudeLabel label;
 };
 
+/// Where any heading will do: one for each that bins tell apart, the first of them towards a place.
+std::vector<PlanarPose> any_heading(const Vec2& at, const Vec2& towards);
+
 struct IntervalSearchOptions {
   double epsilon = 2.5;  ///< How much the cost-to-go weighs.
   double bin_m = 100;
