@@ -81,7 +81,7 @@ void note_bound(const Problem& problem, BoundEffort effort, RunContext& run, Pla
   plan.lower_bound = std::max(plan.lower_bound, bottleneck(problem, {}, run).cost);
   if (effort == BoundEffort::tight && !plan.route.empty())
     plan.lower_bound = any_angle_bound(problem, {.least = plan.lower_bound, .most = plan.cost}, run);
-  if (plan.route.empty()) note_barrier(problem, kProofCells, run, plan);
+  if (plan.route.empty() && run.keep_going()) note_barrier(problem, kProofCells, run, plan);
 }
 
 }  // namespace alate

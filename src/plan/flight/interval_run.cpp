@@ -26,6 +26,11 @@ constexpr std::uint64_t kSlice = 700;
 constexpr std::uint64_t kSecond = 12'000;
 /// Expansions of the first search, before it goes on from both ends.
 constexpr std::uint64_t kAlone = 300;
+/// Parts of the estimated cost of the flight: as far as that from either end lies the ground between them. To know the
+/// cost-to-go everywhere takes longer than most searches.
+constexpr double kAround = 1.25;
+/// Parts of the first search's bins: the narrowest from which the ends are searched anew.
+constexpr double kNarrowest = 0.15;
 
 /// Bins; of ways that are nearer to each other only one is bettered.
 constexpr double kApart = 3;
@@ -94,20 +99,29 @@ bool IntervalRun::search_first(ClimbField& to_go, IntervalAStar& astar, Plan& pl
   return !pool_.empty();
 }
 
-/// From the start alone at first, which mostly is enough.
+/// From the start alone at first, which mostly is enough; then from both ends, over the ground between them; at last
+/// over all the ground there is.
 std::optional<Track> IntervalRun::find_first(ClimbField& to_go, IntervalAStar& astar, Plan& plan) {
   const IntervalSearchOptions options = options_of(kHasty);
   astar.begin(flight_start(mission_), end(), options);
   auto track = astar.go_on(kAlone, run_);
   plan.counters["expansions"] += astar.expansions();
-  if (track || !run_.keep_going()) return track;
-  to_go.grow(run_);
+  if (track) return track;
+  to_go.grow_to(run_, kAround * to_go(mission_.start));
   ClimbField to_start = to_go.homeward();
-  to_start.grow(run_);
-  constexpr double kNarrowest = 0.15;
-  BothEnds both(astar, air_.cost, to_start, kNarrowest * options.bin_m);
-  track = both.find(flight_start(mission_), end(), options, run_);
-  plan.counters["expansions"] += both.expansions();
+  to_start.grow(run_, mission_.goal);
+  to_start.grow_to(run_, kAround * to_start(mission_.goal));
+  for (const bool everywhere : {false, true}) {
+    if (!run_.keep_going()) break;
+    if (everywhere) {
+      to_go.grow(run_);
+      to_start.grow(run_);
+    }
+    BothEnds both(astar, air_.cost, to_start, everywhere ? kNarrowest * options.bin_m : options.bin_m);
+    track = both.find(flight_start(mission_), end(), options, run_);
+    plan.counters["expansions"] += both.expansions();
+    if (track) break;
+  }
   return track;
 }
 
