@@ -14,7 +14,7 @@ namespace alate {
 
 namespace {
 
-constexpr std::array kShares{0.01, 0.03, 0.1, 0.3, 1.0};  ///< Of the whole time.
+constexpr std::array kPercents{1, 3, 10, 30, 100};  ///< Of the whole time.
 
 std::string rules_of(const Verdict& verdict) {
   std::string rules;
@@ -48,7 +48,7 @@ class Comparer {
  public:
   Comparer(const World& world, const CompareOptions& options)
       : site_(world.site()), problem_(world), options_(options), comparison_{.world = world, .seeds = options.seeds} {
-    for (const double share : kShares) comparison_.times_s.push_back(share * options.seconds);
+    for (const int percent : kPercents) comparison_.times_s.push_back(percent * options.seconds / 100);
     gather_planners();
     gather_peers();
     choose();

@@ -2,7 +2,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "alate/core/version.hpp"
 #include "alate/data/scenario_file.hpp"
@@ -32,10 +34,30 @@ svg .route.faint { stroke-width: 2; opacity: .55; }
 .maps .soft { margin: .2rem 0 0; }
 )css";
 
+/// Line styles of those who are drawn, by rank. A planner has that of its place among all planners, so that it looks
+/// the same on every page; where there are more planners than styles, one that is free.
+std::vector<std::size_t> line_styles(const Ranking& ranks) {
+  std::vector<std::size_t> styles(std::min(ranks.size(), kLineStyles), kLineStyles);
+  std::array<bool, kLineStyles> taken{};
+  const auto take = [&](std::size_t rank, std::size_t style) {
+    styles[rank] = style;
+    taken[style] = true;
+  };
+  for (std::size_t rank = 0; rank < styles.size(); ++rank)
+    if (ranks[rank].contender < kLineStyles) take(rank, ranks[rank].contender);
+  for (std::size_t rank = 0; rank < styles.size(); ++rank)
+    if (styles[rank] == kLineStyles)
+      take(rank, static_cast<std::size_t>(std::ranges::find(taken, false) - taken.begin()));
+  return styles;
+}
+
 class ComparePage {
  public:
   explicit ComparePage(const Comparison& comparison)
-      : comparison_(comparison), last_(comparison.times_s.size() - 1), ranks_(ranking(comparison, last_)) {
+      : comparison_(comparison),
+        last_(comparison.times_s.size() - 1),
+        ranks_(ranking(comparison, last_)),
+        styles_(line_styles(ranks_)) {
     best_ = best_cost(comparison);
   }
 
@@ -77,8 +99,8 @@ class ComparePage {
   }
 
   /// Median and quartiles of a contender where its median run has a route; nothing at other times.
-  Convergence line_of(const CompareFigures& each, std::size_t rank) const {
-    Convergence line{.css_class = fmt::format("w{}", rank), .points = {}};
+  Convergence line_of(const CompareFigures& each, std::size_t style) const {
+    Convergence line{.css_class = fmt::format("w{}", style), .points = {}};
     for (std::size_t time = 0; time <= last_; ++time) {
       const CompareFigures figures = figures_of(comparison_, each.contender, time);
       const auto spread = spread_of(figures.costs);
@@ -95,8 +117,8 @@ class ComparePage {
   std::string cost_against_time() const {
     if (!best_ || *best_ <= 0) return "";
     std::vector<Convergence> lines;
-    for (std::size_t rank = 0; rank < std::min(ranks_.size(), kLineStyles); ++rank) {
-      Convergence line = line_of(ranks_[rank], rank);
+    for (std::size_t rank = 0; rank < styles_.size(); ++rank) {
+      Convergence line = line_of(ranks_[rank], styles_[rank]);
       if (line.points.size() > 1) lines.push_back(std::move(line));
     }
     if (lines.empty()) return "";
@@ -115,9 +137,9 @@ class ComparePage {
 
   std::string key() const {
     std::string items;
-    for (std::size_t rank = 0; rank < std::min(ranks_.size(), kLineStyles); ++rank)
+    for (std::size_t rank = 0; rank < styles_.size(); ++rank)
       if (ranks_[rank].solves())
-        items += fmt::format("<li><span class=\"swatch s-way w{}\"></span>{}</li>\n", rank,
+        items += fmt::format("<li><span class=\"swatch s-way w{}\"></span>{}</li>\n", styles_[rank],
                              shown_name(comparison_, ranks_[rank]));
     return fmt::format("<ul class=\"key\">\n{}</ul>\n", items);
   }
@@ -127,7 +149,8 @@ class ComparePage {
     const Study study{.budgets = {{.time_s = comparison_.times_s.back()}}};
     StudyAnalysis analysis;
     for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
-      MethodFigures method{.planner = rank, .name = contender(ranks_[rank]).name};
+      MethodFigures method{.planner = rank < styles_.size() ? styles_[rank] : rank,
+                           .name = contender(ranks_[rank]).name};
       for (const double cost : ranks_[rank].costs) method.gaps.push_back(100 * (cost / *best_ - 1));
       method.gap = summarize(method.gaps);
       analysis.methods.push_back(std::move(method));
@@ -201,6 +224,7 @@ class ComparePage {
   const Comparison& comparison_;
   std::size_t last_;
   Ranking ranks_;
+  std::vector<std::size_t> styles_;
   std::optional<double> best_;
 };
 
