@@ -103,9 +103,12 @@ struct FlightChanges {
     const bool is_new = !FlightAnts::is_known(ant.actions.back());
     if (!is_new && !(best < kInfinity)) return false;  // what the colony starts from has been bettered already
     work->better(is_new ? joined(walked) : Track{}, run);
-    const auto actions = work->best_as_actions(std::min(ant.cost, best));
+    const double most = std::min(ant.cost, best);
+    const auto actions = work->best_as_actions(most);
     const auto flight = actions ? space.fly(*actions) : std::nullopt;
-    if (!flight || !(flight->cost < ant.cost)) return false;
+    // Pieces cost a little more than the whole: what is not the best for the ants must not take the place of what is.
+    if (!flight || !(flight->cost < most)) return false;
+    work->space().keep_learnt();
     ant.actions = *actions;
     ant.cost = flight->cost;
     ant.costs = flight->costs;
@@ -138,7 +141,10 @@ class PrimitiveAco {
     const auto known = work.best_as_actions(kInfinity);
     const std::vector<std::uint32_t> first = known.value_or(std::vector<std::uint32_t>{});
     Colony<FlightAnts, Policies> colony(work.space(), policies(work, first), options());
-    if (known) colony.start_from({first.begin(), first.end()}, run);
+    if (known) {
+      work.space().keep_learnt();
+      colony.start_from({first.begin(), first.end()}, run);
+    }
     colony.run(run);
     plan.counters["moves"] += colony.moves();
     plan.history = colony.history();

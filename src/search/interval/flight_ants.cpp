@@ -249,14 +249,14 @@ Track FlightAnts::track(std::span<const std::uint32_t> actions) const {
 }
 
 std::vector<std::uint32_t> FlightAnts::learn(const Track& track, const FlightEnd& end) {
-  learnt_ ^= 1U;
-  LearntFlight& flight = known_[learnt_];
+  const std::size_t slot = kept_ ^ 1U;
+  LearntFlight& flight = known_[slot];
   flight = {.pieces = {}, .end = end};
   for (const PlanarPiece& piece : track)
     append_cut(flight.pieces, piece,
                piece.steering == Steering::straight ? primitives_[5].length_m : primitives_[3].length_m);
   std::vector<std::uint32_t> actions(flight.pieces.size());
-  for (std::size_t i = 0; i < actions.size(); ++i) actions[i] = static_cast<std::uint32_t>(kKnown + 2 * i + learnt_);
+  for (std::size_t i = 0; i < actions.size(); ++i) actions[i] = static_cast<std::uint32_t>(kKnown + 2 * i + slot);
   return actions;
 }
 

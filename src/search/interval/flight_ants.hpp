@@ -76,8 +76,11 @@ class FlightAnts {
   const FlightEnd& end() const { return end_; }
   double start_m() const { return start_.label.low; }
 
-  /// Takes a flight in, in place of the last but one, and tells it as actions. Not while ants walk.
+  /// Takes a flight in, beside the one that is kept and in place of any other, and tells it as actions. Not while ants
+  /// walk.
   std::vector<std::uint32_t> learn(const Track& track, const FlightEnd& end);
+  /// Keeps the flight learnt last, which ants may follow from now on, in place of the one kept before.
+  void keep_learnt() { kept_ ^= 1U; }
   static bool is_known(std::uint32_t action) { return action >= kKnown; }
 
  private:
@@ -119,8 +122,8 @@ class FlightAnts {
   FlightAntsOptions options_;
   double threat_weight_;
   std::array<Primitive, kPrimitives> primitives_{};
-  std::array<LearntFlight, 2> known_;  ///< Ants may still follow the one when the other is learnt.
-  std::size_t learnt_ = 0;
+  std::array<LearntFlight, 2> known_;  ///< Ants may follow the one while the other is learnt.
+  std::size_t kept_ = 0;
 };
 
 /// The same track, pieces that go on as the one before joined with it; arcs to three quarters of a circle.
