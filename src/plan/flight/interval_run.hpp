@@ -25,7 +25,7 @@ class IntervalRun {
  public:
   static constexpr std::uint64_t kIterations = 100;  ///< Where neither a budget nor a time limit is given.
   /// Any way will do.
-  static constexpr IntervalPass kHasty{.epsilon = 8, .bin = 1.5, .by_cost = false};
+  static constexpr IntervalPass kHasty{.epsilon = 16, .bin = 1.5, .by_cost = false};
 
   /// From the start of `mission`; `before` leads there, or is empty. All but `before` must outlive this.
   IntervalRun(const FlightAir& air, Mission mission, RunContext& run, Route before = {});

@@ -87,7 +87,7 @@ bool IntervalAStar::is_dominated(std::uint32_t in_bin, double cost, const Altitu
         other.label.low <= label.low + options_.alike_m && other.label.high >= label.high - options_.alike_m;
     if (wider && cheaper) return true;
   }
-  constexpr int kMostLabels = 12;
+  constexpr int kMostLabels = 8;
   return count >= kMostLabels;
 }
 
