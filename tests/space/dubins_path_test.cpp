@@ -91,5 +91,29 @@ TEST(Dubins, IsSoundWhereWordsMeet) {
   }
 }
 
+TEST(PlanarPiece, ComesOnlyWhereItMay) {
+  Random random;
+  int near = 0, far = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto steering = static_cast<Steering>(i % 3 - 1);
+    const PlanarPiece piece{steering, random.pose(3), random.between(0, 6 * kRadius), kRadius};
+    const Vec2 place = random.pose(6).position();
+    const double reach = random.between(0, 4 * kRadius);
+    double least = 1e300;
+    constexpr int kSamples = 500;
+    for (int k = 0; k <= kSamples; ++k)
+      least = std::min(least, (piece.at(piece.length_m * k / kSamples).position() - place).norm());
+    const bool may = piece.may_come_within(reach, place);
+    ASSERT_TRUE(may || least >= reach) << i;
+    // A straight piece is told exactly, but for what lies between samples.
+    if (steering == Steering::straight) {
+      ASSERT_TRUE(!may || least < reach + piece.length_m / kSamples) << i;
+    }
+    ++(may ? near : far);
+  }
+  EXPECT_GT(near, 2000);
+  EXPECT_GT(far, 2000);
+}
+
 }  // namespace
 }  // namespace alate

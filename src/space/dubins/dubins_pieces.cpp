@@ -1,5 +1,6 @@
 #include "space/dubins/dubins_pieces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace alate {
@@ -14,6 +15,13 @@ PlanarArc PlanarPiece::arc() const {
           .radius_m = radius_m,
           .start_rad = start.heading - side * kPi / 2,
           .sweep_rad = side * length_m / radius_m};
+}
+
+bool PlanarPiece::may_come_within(double reach_m, const Vec2& place) const {
+  const Vec2 way = place - start.position();
+  const double along = steering == Steering::straight ? std::clamp(way.dot(start.direction()), 0.0, length_m) : 0;
+  const double reach = reach_m + (steering == Steering::straight ? 0 : std::min(length_m, 2 * radius_m));
+  return (way - along * start.direction()).squaredNorm() < reach * reach;
 }
 
 std::array<PlanarPiece, 3> pieces_of(const DubinsPath& path) {

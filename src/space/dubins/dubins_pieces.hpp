@@ -27,6 +27,8 @@ struct PlanarPiece {
   PlanarPose end() const { return at(length_m); }
   /// Of a turn only.
   PlanarArc arc() const;
+  /// False only where all of it is at least so far from a place; exact for a straight piece.
+  bool may_come_within(double reach_m, const Vec2& place) const;
 };
 
 /// The three pieces, those without length too.

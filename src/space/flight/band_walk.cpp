@@ -79,10 +79,8 @@ std::pair<double, double> BandWalk::open_at(const Vec2& place) const {
 }
 
 bool BandWalk::is_near_core(const PlanarPiece& piece) const {
-  return std::ranges::any_of(cores_, [&](const Core& core) {
-    const double reach = core.reach_m + piece.length_m;
-    return (core.center - piece.start.position()).squaredNorm() < reach * reach;
-  });
+  return std::ranges::any_of(cores_,
+                             [&](const Core& core) { return piece.may_come_within(core.reach_m, core.center); });
 }
 
 bool BandWalk::is_known_beside(const Vec2& from, const Vec2& to) const {
@@ -97,26 +95,6 @@ bool BandWalk::is_known_beside(const Vec2& from, const Vec2& to) const {
     for (int column = static_cast<int>(low.x()); column <= last_column; ++column)
       if (std::isnan(raster_->post(column, row))) return false;
   return true;
-}
-
-BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  BandPiece band{.length_m = chord.length_m * (span.t_to - span.t_from),
-                 .floor_from = -kInfinity,
-                 .floor_to = -kInfinity,
-                 .ceiling_from = ceiling_amsl_m_,
-                 .ceiling_to = ceiling_amsl_m_};
-  if (raster_ != nullptr || peaks_ != nullptr) {
-    const double margin = chord.is_arc ? arc_margin_m_ : 0;
-    const double up = std::max(0.0, span.bulge) + margin + clearance_m_;
-    const double both = peaks_ != nullptr ? std::max(0.0, span.bulge) : std::max(0.0, -span.bulge);
-    band.floor_from = span.from + up;
-    band.floor_to = span.to + up;
-    band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - margin);
-    band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - margin);
-  }
-  if (chord.near_core) close_cores(chord, span, band);
-  return band;
 }
 
 /// Over the piece a core is as high as where the piece comes closest to its middle.

@@ -142,6 +142,26 @@ class BandWalk {
   std::vector<Core> cores_;
 };
 
+inline BandPiece BandWalk::band_over(const Chord& chord, const GroundSpan& span) const {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  BandPiece band{.length_m = chord.length_m * (span.t_to - span.t_from),
+                 .floor_from = -kOpen,
+                 .floor_to = -kOpen,
+                 .ceiling_from = ceiling_amsl_m_,
+                 .ceiling_to = ceiling_amsl_m_};
+  if (raster_ != nullptr || peaks_ != nullptr) {
+    const double margin = chord.is_arc ? arc_margin_m_ : 0;
+    const double up = std::max(0.0, span.bulge) + margin + clearance_m_;
+    const double both = peaks_ != nullptr ? std::max(0.0, span.bulge) : std::max(0.0, -span.bulge);
+    band.floor_from = span.from + up;
+    band.floor_to = span.to + up;
+    band.ceiling_from = std::min(band.ceiling_from, span.from + ceiling_agl_m_ - both - margin);
+    band.ceiling_to = std::min(band.ceiling_to, span.to + ceiling_agl_m_ - both - margin);
+  }
+  if (chord.near_core) close_cores(chord, span, band);
+  return band;
+}
+
 template <class Visit>
 bool BandWalk::follow_raster(const Chord& chord, const Visit& visit) const {
   const HeightRaster& raster = *raster_;

@@ -36,8 +36,7 @@ double FlightCost::advance(const Track& track, AltitudeLabel& label) const {
 
 bool FlightCost::near_threat(const PlanarPiece& piece) const {
   return std::ranges::any_of(band_.world().site().threats, [&](const Threat& threat) {
-    const double reach = threat.radius_m + piece.length_m;
-    return (threat.center.head<2>() - piece.start.position()).squaredNorm() < reach * reach;
+    return piece.may_come_within(threat.radius_m, threat.center.head<2>());
   });
 }
 
