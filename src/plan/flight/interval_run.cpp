@@ -159,7 +159,7 @@ void IntervalRun::improve(ClimbField& to_go, IntervalAStar& astar, Plan& plan,
   while (run_.start_iteration(kIterations)) {
     if (pool_.empty() && !looked_for_first_) {
       search_first(to_go, astar, plan);
-    } else if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 != 0)) {
+    } else if (pass_ < kPasses.size() && (pool_.empty() || run_.iterations() % 2 == 0)) {
       search_on(to_go, astar, plan);
     } else if (pool_.empty()) {
       return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "space/flight/sheltered_profile.hpp"
 #include "space/flight/taut_string.hpp"
@@ -87,10 +88,12 @@ class Mileage {
 Route sheltered(const FlightCost& cost, const Track& track, const Vec3& start, const std::vector<Gate>& tube) {
   const Mileage mileage(track);
   const World& world = cost.band().world();
-  const auto exposure = [&](double from_m, double to_m, double z) {
+  const auto exposure = [&](double from_m, double to_m, std::span<const double> levels, std::span<double> exposures) {
     const Vec2 a = mileage.place(from_m);
     const Vec2 b = mileage.place(to_m);
-    return cost.threat_weight() * world.exposure({{a.x(), a.y(), z}, {b.x(), b.y(), z}});
+    std::ranges::transform(levels, exposures.begin(), [&](double z) {
+      return cost.threat_weight() * world.exposure({{a.x(), a.y(), z}, {b.x(), b.y(), z}});
+    });
   };
   constexpr double kMostStations = 500;
   const double step_m = std::max(cost.band().radius_m() / 2, mileage.length_m() / kMostStations);

@@ -25,12 +25,15 @@ Gate gate_at(const std::vector<Gate>& tube, double at_m) {
 }
 
 struct Station {
+  explicit Station(const Gate& at) : gate(at) {
+    for (std::size_t j = 0; j < kLevels; ++j)
+      levels[j] = gate.floor + (gate.ceiling - gate.floor) * static_cast<double>(j) / (kLevels - 1);
+  }
+
   Gate gate;
+  std::array<double, kLevels> levels{};
   std::array<double, kLevels> to_go{};
 
-  double level(std::size_t j) const {
-    return gate.floor + (gate.ceiling - gate.floor) * static_cast<double>(j) / (kLevels - 1);
-  }
   double to_go_from(double z) const {
     const double height = gate.ceiling - gate.floor;
     if (!(height > 0)) return to_go[0];
@@ -48,13 +51,11 @@ class Programme {
     const double length = tube.back().at_m;
     const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(length / step_m)));
     for (std::size_t i = 0; i <= count; ++i)
-      stations_.push_back({gate_at(tube, length * static_cast<double>(i) / static_cast<double>(count))});
+      stations_.emplace_back(gate_at(tube, length * static_cast<double>(i) / static_cast<double>(count)));
     for (std::size_t i = count; i-- > 0;) {
       Station& station = stations_[i];
-      for (std::size_t j = 0; j < kLevels; ++j) {
-        const double z = station.level(j);
-        station.to_go[j] = exposure(i, z) + next(i, z).cost;
-      }
+      prices_.exposure(station.gate.at_m, stations_[i + 1].gate.at_m, station.levels, station.to_go);
+      for (std::size_t j = 0; j < kLevels; ++j) station.to_go[j] += next(i, station.levels[j]).cost;
     }
   }
 
@@ -72,10 +73,6 @@ class Programme {
     double cost = std::numeric_limits<double>::infinity();
   };
 
-  double exposure(std::size_t i, double z) const {
-    return prices_.exposure(stations_[i].gate.at_m, stations_[i + 1].gate.at_m, z);
-  }
-
   /// The altitude at the station after i that is best for who is at z now, exposure up to there apart.
   Choice next(std::size_t i, double z) const {
     const Station& to = stations_[i + 1];
@@ -83,17 +80,15 @@ class Programme {
     const double low = std::clamp(z - ahead * slopes_.descent, to.gate.floor, to.gate.ceiling);
     const double high = std::clamp(z + ahead * slopes_.climb, low, to.gate.ceiling);
     Choice best;
-    const auto consider = [&](double at) {
-      const double flown =
-          prices_.length * std::sqrt(ahead * ahead + (at - z) * (at - z)) + prices_.climb * std::max(0.0, at - z);
-      const double cost = flown + to.to_go_from(at);
+    const auto consider = [&](double at, double to_go) {
+      const double rest = prices_.climb * std::max(0.0, at - z) + to_go;
+      if (prices_.length * ahead + rest >= best.cost) return;  // no root is needed to see that
+      const double cost = prices_.length * std::sqrt(ahead * ahead + (at - z) * (at - z)) + rest;
       if (cost < best.cost) best = {at, cost};
     };
-    consider(std::clamp(z, low, high));
-    consider(low);
-    consider(high);
+    for (const double at : {std::clamp(z, low, high), low, high}) consider(at, to.to_go_from(at));
     for (std::size_t j = 0; j < kLevels; ++j)
-      if (const double at = to.level(j); at > low && at < high) consider(at);
+      if (const double at = to.levels[j]; at > low && at < high) consider(at, to.to_go[j]);
     return best;
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "space/flight/altitude_label.hpp"
@@ -17,8 +18,8 @@ std::vector<Gate> tube_of(std::vector<Gate> gates, double z_from, const SlopeLim
 struct ProfilePrices {
   double length = 1;  ///< Of a metre flown.
   double climb = 0;   ///< Of a metre of ascent.
-  /// Of a stretch of track between two distances, flown level.
-  std::function<double(double from_m, double to_m, double z)> exposure;
+  /// Of a stretch of track between two distances, flown level at each of these altitudes.
+  std::function<void(double from_m, double to_m, std::span<const double> levels, std::span<double> exposures)> exposure;
 };
 
 /// The tube narrowed to a lane around its cheapest profile. Dynamic programming backward over stations every `step_m`;
